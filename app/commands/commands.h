@@ -1,0 +1,23 @@
+#pragma once
+
+#include <stop_token>
+#include <string>
+
+#include "app/options.h"
+
+namespace evenglow::app {
+
+/// What main hands to every command.
+struct Session {
+  Options options;
+  std::stop_token stop;
+  std::string program_arguments;  ///< the words after the program's name that change a result, as typed
+};
+
+/// Each returns the exit code; wrong input leaves as ConfigError.
+int check_command(const Session& session);
+int simulate_command(const Session& session);
+int design_command(const Session& session);
+int compare_command(const Session& session);
+
+}  // namespace evenglow::app

@@ -1,0 +1,80 @@
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <set>
+
+#include "app/backlight_run.h"
+#include "app/commands/commands.h"
+#include "app/output_directory.h"
+#include "design/report/writer_registry.h"
+
+namespace evenglow::app {
+namespace {
+
+/// Each variant of a single file, or each of several files on its own.
+std::vector<Run> read_all(const Options& options) {
+  if (options.files.size() == 1) return read_variants(options.files.front(), options);
+  std::vector<Run> runs;
+  std::vector<core::Fault> faults;
+  std::set<std::string> names;
+  for (const auto& file : options.files) {
+    try {
+      Run run = read_run(file, options);
+      run.variant = file.stem().string();
+      for (int i = 2; !names.insert(run.variant).second; ++i) run.variant = fmt::format("{}-{}", file.stem().string(), i);
+      runs.push_back(std::move(run));
+    } catch (const core::ConfigError& error) {
+      faults.insert(faults.end(), error.faults().begin(), error.faults().end());
+    }
+  }
+  if (!faults.empty()) throw core::ConfigError(std::move(faults));
+  return runs;
+}
+
+void print_ratios(const design::Comparison& comparison) {
+  for (const design::VariantRatio& ratio : comparison.ratios) {
+    fmt::print("{:<20} luminance {:.4f} +- {:.4f}   flux {:.4f} +- {:.4f}   efficiency {:.4f} +- {:.4f}\n", ratio.name,
+               ratio.luminance.value, ratio.luminance.se, ratio.flux.value, ratio.flux.se, ratio.efficiency.value,
+               ratio.efficiency.se);
+  }
+}
+
+}  // namespace
+
+int compare_command(const Session& session) {
+  std::vector<Run> runs = read_all(session.options);
+  if (runs.size() < 2) {
+    throw core::ConfigError(core::Fault{session.options.files.front().string(), 0, 0, "variants",
+                                        "compare needs at least two variants, or several files, got one"});
+  }
+  const auto directory = output_directory(session.options, session.options.files.front());
+  check_free(directory, session.options);
+  make_directory(directory);
+  const std::string title = runs.front().title;
+  const auto formats = runs.front().output;
+  Progress progress(session.options.quiet);
+  std::vector<design::Report> reports;
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    const auto place = directory / runs[i].variant;
+    make_directory(place);
+    const RunContext context{session.options, progress, session.stop, session.program_arguments,
+                             static_cast<std::uint32_t>(i), place / "checkpoint.json"};
+    const auto own_formats = runs[i].output;
+    auto report = run_design_job(std::move(runs[i]), context);
+    if (!report) {
+      progress.line("interrupted: --resume goes on from the last whole step");
+      return kInterrupted;
+    }
+    design::write_report(*report, own_formats, place);
+    print_result(*report, place);
+    reports.push_back(std::move(*report));
+  }
+  const design::Comparison comparison = design::compare_reports(title, session.program_arguments, std::move(reports));
+  design::write_report(comparison, formats, directory);
+  for (const design::Report& report : comparison.variants) std::filesystem::remove(directory / report.variant / "checkpoint.json");
+  print_ratios(comparison);
+  fmt::print("report: {}\n", (directory / "report.html").string());
+  return kDone;
+}
+
+}  // namespace evenglow::app

@@ -1,0 +1,88 @@
+#include "app/run_file.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "design/report/writer_registry.h"
+
+namespace evenglow::app {
+namespace {
+
+using core::ConfigDocument;
+
+/// The options of the command line as overrides.
+std::vector<ConfigDocument::Override> option_overrides(const Options& options) {
+  std::vector<ConfigDocument::Override> result;
+  for (const std::string& text : options.set) {
+    const std::size_t equals = text.find('=');
+    if (equals == std::string::npos || equals == 0) {
+      throw core::ConfigError(core::Fault{"--set", 0, 0, "", "must be key=value, got \"" + text + "\""});
+    }
+    result.push_back({text.substr(0, equals), text.substr(equals + 1), "--set"});
+  }
+  if (options.seed) result.push_back({"trace.seed", std::to_string(*options.seed), "--seed"});
+  if (options.photons) result.push_back({"trace.photons", *options.photons, "--photons"});
+  return result;
+}
+
+Run read(ConfigDocument& document, const std::vector<ConfigDocument::Override>& overrides) {
+  Run run;
+  for (const auto& change : overrides) {
+    document.apply(change);
+    run.overrides.push_back(change.path + "=" + change.yaml);
+  }
+  const core::ConfigNode root = document.root();
+  root.integer({"evenglow", "version of this format", 1, 1, {}});
+  run.title = root.text({"title", "one line for the report", document.name()});
+  if (!root.has("backlight")) root.fault_at("backlight", "a map is required, got nothing");
+  run.backlight = tracer::read_backlight(root.map("backlight", "the backlight"));
+  run.trace = tracer::read_trace(root.map("trace", "how it is traced"));
+  run.design = design::read_design(root.map("design", "how it is designed"));
+  const auto formats = design::output_formats();
+  run.output = root.choices({"output", "formats of the result files", formats, fmt::format("{}", fmt::join(formats, ","))});
+  run.file_text = document.source_text();
+  document.finish();
+  return run;
+}
+
+}  // namespace
+
+Run read_run(const std::filesystem::path& file, const Options& options) {
+  ConfigDocument document = ConfigDocument::load(file);
+  document.variants();  // counts as read
+  return read(document, option_overrides(options));
+}
+
+std::vector<Run> read_variants(const std::filesystem::path& file, const Options& options) {
+  const auto from_options = option_overrides(options);
+  ConfigDocument first = ConfigDocument::load(file);
+  const auto variants = first.variants();
+  std::vector<Run> runs;
+  if (variants.empty()) {
+    runs.push_back(read(first, from_options));
+    return runs;
+  }
+  std::vector<core::Fault> faults;
+  for (const auto& [name, changes] : variants) {
+    ConfigDocument document = ConfigDocument::load(file);
+    document.variants();
+    auto overrides = changes;
+    overrides.insert(overrides.end(), from_options.begin(), from_options.end());
+    try {
+      runs.push_back(read(document, overrides));
+      runs.back().variant = name;
+    } catch (const core::ConfigError& error) {
+      for (const core::Fault& fault : error.faults()) {
+        const auto same = [&](const core::Fault& other) { return other.to_string() == fault.to_string(); };
+        if (std::none_of(faults.begin(), faults.end(), same)) faults.push_back(fault);
+      }
+    }
+  }
+  if (!faults.empty()) throw core::ConfigError(std::move(faults));
+  return runs;
+}
+
+}  // namespace evenglow::app

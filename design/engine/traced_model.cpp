@@ -1,0 +1,80 @@
+#include "design/engine/traced_model.h"
+
+#include <chrono>
+#include <utility>
+
+#include "core/base/units.h"
+#include "core/montecarlo/batches.h"
+
+namespace evenglow::design {
+namespace {
+
+core::Estimate share(const tracer::TraceResult& result, std::size_t bin) {
+  const core::Estimate count = result.energy.total(bin);
+  const double photons = static_cast<double>(result.photons);
+  return {count.value / photons, count.se / photons};
+}
+
+EnergyAccount energy_account(const tracer::Scene& scene, const tracer::TraceResult& result) {
+  EnergyAccount account;
+  account.emitted_lm = result.flux;
+  for (int i = 0; i < tracer::kSides; ++i) {
+    account.escaped.push_back({side_name(static_cast<tracer::Side>(i)), share(result, static_cast<std::size_t>(i))});
+  }
+  const auto& parts = scene.energy.parts();
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    account.absorbed.push_back({parts[i], share(result, scene.energy.absorbed_bin(static_cast<int>(i)))});
+  }
+  std::vector<double> lost(result.energy.bins(), 0.0);
+  for (int i = 0; i < tracer::kLossReasons; ++i) lost[scene.energy.lost_bin(static_cast<tracer::LossReason>(i))] = 1.0;
+  const core::Estimate total = result.energy.weighted_total(lost);
+  account.lost = {total.value / static_cast<double>(result.photons), total.se / static_cast<double>(result.photons)};
+  return account;
+}
+
+AngularLuminance angular_luminance(const tracer::Scene& scene, const tracer::TraceResult& result) {
+  const tracer::AngularReceiver& receiver = *scene.angular;
+  AngularLuminance angular;
+  for (int i = 0; i <= receiver.polar_count(); ++i) angular.polar_deg.push_back(90.0 * i / receiver.polar_count());
+  angular.azimuth_count = receiver.azimuth_count();
+  const core::Vec3 size = scene.box.max - scene.box.min;
+  angular.luminance = make_angular_luminance(receiver, result.angular, result.flux, result.photons, size.x() * size.y());
+  return angular;
+}
+
+}  // namespace
+
+Observation make_observation(const tracer::Scene& scene, const tracer::TraceResult& result) {
+  Observation observation;
+  observation.photons = result.photons;
+  observation.map = make_luminance_map(scene.luminance, result.luminance, result.flux, result.photons);
+  observation.luminance = result.luminance;
+  observation.luminance_unit = luminance_per_score(scene.luminance, result.flux, result.photons);
+  observation.energy = energy_account(scene, result);
+  observation.efficiency = observation.energy.escaped[static_cast<std::size_t>(tracer::Side::kTop)].share;
+  if (scene.angular) observation.angular = angular_luminance(scene, result);
+  return observation;
+}
+
+ForwardModel traced_model(const tracer::Scene& scene, TracedModelOptions options) {
+  return [&scene, options = std::move(options)](const tracer::DensityField& density, std::uint64_t photons,
+                                                std::uint32_t step) -> std::optional<Observation> {
+    const auto wall = std::chrono::steady_clock::now();
+    const double cpu = core::process_cpu_seconds();
+    tracer::TraceOptions run;
+    run.photons = tracer::whole_batches(photons, options.batches);
+    run.batches = options.batches;
+    run.key = {options.seed, options.stream, step};
+    run.threads = options.threads;
+    run.stop = options.stop;
+    if (options.progress) run.progress = [&](std::uint64_t done) { options.progress(done, run.photons); };
+    const auto result = trace(scene, density, run);
+    if (!result) return std::nullopt;
+    Observation observation = make_observation(scene, *result);
+    observation.cpu_s = core::process_cpu_seconds() - cpu;
+    observation.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - wall).count();
+    return observation;
+  };
+}
+
+}  // namespace evenglow::design

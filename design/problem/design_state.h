@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "core/montecarlo/tally.h"
+#include "design/problem/judgment.h"
+#include "tracer/receivers/luminance_receiver.h"
+#include "tracer/scene/density_field.h"
+
+namespace evenglow::design {
+
+/// What one trace of a backlight shows.
+struct Observation {
+  std::uint64_t photons = 0;
+  tracer::LuminanceMap map;           ///< cd/m2, active area
+  core::Tally luminance;              ///< the batches that the map was made of, any unit proportional to cd/m2
+  double luminance_unit = 1.0;        ///< cd/m2 for 1 of `luminance`
+  core::Estimate efficiency;          ///< share of the source flux that leaves the top
+  EnergyAccount energy;
+  std::optional<AngularLuminance> angular;
+  double cpu_s = 0.0;
+  double wall_s = 0.0;
+};
+
+/// One step of a design: a density and what it showed.
+struct DesignState {
+  tracer::DensityField density;
+  Observation observation;
+};
+
+/// From a density to an observation, with `photons` photons and the random numbers of `step`. Empty: interrupted.
+using ForwardModel =
+    std::function<std::optional<Observation>(const tracer::DensityField& density, std::uint64_t photons, std::uint32_t step)>;
+
+}  // namespace evenglow::design

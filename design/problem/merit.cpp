@@ -1,0 +1,155 @@
+#include "design/problem/merit.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "core/base/error.h"
+
+namespace evenglow::design {
+namespace {
+
+using core::CellField;
+using core::Tally;
+
+double mean_of(const std::vector<double>& x) {
+  double sum = 0.0;
+  for (const double v : x) sum += v;
+  return sum / static_cast<double>(x.size());
+}
+
+/// Batch maps over the overall mean of a batch, each less its own spatial mean.
+std::vector<std::vector<double>> centered_batches(const Tally& tally, double batch_mean) {
+  std::vector<std::vector<double>> y;
+  y.reserve(tally.batches());
+  for (std::size_t b = 0; b < tally.batches(); ++b) {
+    y.push_back(tally.batch(b));
+    const double own = mean_of(y.back());
+    for (double& v : y.back()) v = (v - own) / batch_mean;
+  }
+  return y;
+}
+
+double dot(const std::vector<double>& a, const std::vector<double>& b) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];
+  return sum;
+}
+
+/// Root with the sign kept; its error stays finite where the value is lost in it.
+core::Estimate signed_root(double square, double se) {
+  const double root = std::copysign(std::sqrt(std::abs(square)), square);
+  const double scale = std::max(std::abs(root), std::sqrt(se));
+  return {root, scale > 0.0 ? 0.5 * se / scale : 0.0};
+}
+
+/// The U-statistic of h over pairs and its standard error.
+core::Estimate pair_statistic(const std::vector<std::vector<double>>& y) {
+  const std::size_t B = y.size();
+  const double n = static_cast<double>(B);
+  const double cells = static_cast<double>(y.front().size());
+  std::vector<double> row(B, 0.0);
+  double sum = 0.0;
+  double squares = 0.0;
+  for (std::size_t b = 0; b < B; ++b) {
+    for (std::size_t c = 0; c < b; ++c) {
+      const double h = dot(y[b], y[c]) / cells;
+      row[b] += h;
+      row[c] += h;
+      sum += h;
+      squares += h * h;
+    }
+  }
+  const double pairs = 0.5 * n * (n - 1.0);
+  const double mean = sum / pairs;
+  const double zeta2 = std::max(0.0, squares / pairs - mean * mean);
+  double between = 0.0;
+  for (const double r : row) between += (r / (n - 1.0) - mean) * (r / (n - 1.0) - mean);
+  // The spread of the row means holds zeta_1 and, through the finite rows, a share of zeta_2.
+  const double zeta1 = std::max(0.0, between / (n - 1.0) - zeta2 / (n - 1.0));
+  return {mean, std::sqrt(4.0 * (n - 2.0) / (n * (n - 1.0)) * zeta1 + 2.0 / (n * (n - 1.0)) * zeta2)};
+}
+
+struct Point {
+  double u, v;
+};
+
+double spot(const CellField& field, Point at) {
+  const core::CellGrid& g = field.grid;
+  const double width = g.nx * g.dx;
+  const double height = g.ny * g.dy;
+  const double x = g.x0 + at.u * width;
+  const double y = g.y0 + at.v * height;
+  const double radius = 0.04 * std::hypot(width, height);
+  double sum = 0.0;
+  int count = 0;
+  for (int iy = 0; iy < g.ny; ++iy) {
+    for (int ix = 0; ix < g.nx; ++ix) {
+      if (std::hypot(g.center_x(ix) - x, g.center_y(iy) - y) > radius) continue;
+      sum += field.values[static_cast<std::size_t>(iy * g.nx + ix)];
+      ++count;
+    }
+  }
+  return count > 0 ? sum / count : field.at(x, y);
+}
+
+double uniformity(const CellField& field, const std::vector<Point>& points) {
+  double low = std::numeric_limits<double>::infinity();
+  double high = 0.0;
+  for (const Point& point : points) {
+    const double value = spot(field, point);
+    low = std::min(low, value);
+    high = std::max(high, value);
+  }
+  return high > 0.0 ? low / high : 0.0;
+}
+
+std::vector<Point> nine_points() {
+  std::vector<Point> points;
+  for (const double v : {0.1, 0.5, 0.9}) {
+    for (const double u : {0.1, 0.5, 0.9}) points.push_back({u, v});
+  }
+  return points;
+}
+
+}  // namespace
+
+Evenness evenness(const Tally& luminance) {
+  core::expects(luminance.batches() >= 3 && luminance.bins() > 0, "at least 3 batches of at least one cell");
+  std::vector<double> total(luminance.bins(), 0.0);
+  std::vector<double> means;
+  for (std::size_t b = 0; b < luminance.batches(); ++b) {
+    const auto& batch = luminance.batch(b);
+    for (std::size_t i = 0; i < total.size(); ++i) total[i] += batch[i];
+    means.push_back(mean_of(batch));
+  }
+  Evenness result;
+  result.mean = core::total_of_batches(means);
+  if (result.mean.value <= 0.0) return result;
+  double squares = 0.0;
+  for (const double v : total) squares += (v - result.mean.value) * (v - result.mean.value);
+  result.rms = std::sqrt(squares / static_cast<double>(total.size())) / result.mean.value;
+  const auto y = centered_batches(luminance, result.mean.value / static_cast<double>(luminance.batches()));
+  const core::Estimate square = pair_statistic(y);
+  result.rms_corrected = signed_root(square.value, square.se);
+  return result;
+}
+
+double uniformity_9(const CellField& luminance) {
+  return uniformity(luminance, nine_points());
+}
+
+double uniformity_13(const CellField& luminance) {
+  std::vector<Point> points = nine_points();
+  for (const double v : {0.3, 0.7}) {
+    for (const double u : {0.3, 0.7}) points.push_back({u, v});
+  }
+  return uniformity(luminance, points);
+}
+
+double center_luminance(const CellField& luminance) {
+  return spot(luminance, {0.5, 0.5});
+}
+
+}  // namespace evenglow::design

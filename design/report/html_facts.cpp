@@ -1,0 +1,150 @@
+#include "design/report/html_facts.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <functional>
+
+#include "design/report/number_format.h"
+#include "design/report/text_escape.h"
+#include "design/report/value_scale.h"
+
+namespace evenglow::design {
+namespace {
+
+std::string card(const std::string& name, const std::string& value, const std::string& unit, const std::string& definition) {
+  return fmt::format(
+      "<div class=\"card\"><h3>{}</h3><strong>{}{}</strong><p class=\"def\">{}</p></div>\n", html_escape(name),
+      html_escape(value), unit.empty() ? "" : " <small>" + html_escape(unit) + "</small>", html_escape(definition));
+}
+
+std::string gain_text(const core::Estimate& ratio) {
+  const char* sign = ratio.value >= 1.0 ? "+" : "";
+  return fmt::format("{}{}\u00a0%", sign, measured({100.0 * (ratio.value - 1.0), 100.0 * ratio.se}));
+}
+
+struct FinalRow {
+  const char* name;
+  const char* unit;
+  std::function<std::string(const Report&)> value;
+};
+
+std::vector<FinalRow> final_rows() {
+  const auto per_lumen = [](const Report& r) {
+    const double lumen = r.energy.emitted_lm;
+    return measured({r.final.luminance_mean.value / lumen, r.final.luminance_mean.se / lumen});
+  };
+  return {
+      {"mean luminance", "cd/m\u00b2", [](const Report& r) { return measured(r.final.luminance_mean); }},
+      {"mean luminance per lumen", "cd/m\u00b2/lm", per_lumen},
+      {"luminance in the center", "cd/m\u00b2", [](const Report& r) { return rounded(r.final.luminance_center); }},
+      {"efficiency", "%", [](const Report& r) { return measured(r.final.efficiency, 100.0); }},
+      {"RMS, noise taken off", "%", [](const Report& r) { return measured(r.final.rms_corrected, 100.0); }},
+      {"RMS, raw", "%", [](const Report& r) { return rounded(100.0 * r.final.rms); }},
+      {"uniformity of 9 spots", "%", [](const Report& r) { return rounded(100.0 * r.final.uniformity_9); }},
+      {"uniformity of 13 spots", "%", [](const Report& r) { return rounded(100.0 * r.final.uniformity_13); }},
+      {"mean density", "", [](const Report& r) { return rounded(summarize(r.density).mean); }},
+      {"flux of the LEDs", "lm", [](const Report& r) { return rounded(r.energy.emitted_lm); }},
+      {"photons of the final trace", "", [](const Report& r) { return grouped(r.final.photons); }},
+      {"steps", "", [](const Report& r) { return std::to_string(r.steps.size()); }},
+      {"computing time (CPU)", "", [](const Report& r) { return duration(r.timing.cpu_s); }},
+  };
+}
+
+}  // namespace
+
+std::string headline_cards(const Report& report) {
+  const FinalJudgment& f = report.final;
+  return "<div class=\"cards\">\n" +
+         card("Evenness (RMS)", measured(f.rms_corrected, 100.0), "%",
+              "Standard deviation over mean of the luminance of the cells of the active area, the Monte Carlo variance "
+              "taken off. Raw: " + rounded(100.0 * f.rms) + " %.") +
+         card("Efficiency", measured(f.efficiency, 100.0), "%",
+              "Luminous flux that leaves the top film within the hemisphere, over the flux of the LEDs.") +
+         card("Mean luminance", measured(f.luminance_mean), "cd/m\u00b2",
+              "Of the active area, for " + rounded(report.energy.emitted_lm) + " lm of LED flux. Center: " +
+                  rounded(f.luminance_center) + " cd/m\u00b2.") +
+         card("Uniformity", rounded(100.0 * f.uniformity_9, 3), "% of 9 spots",
+              "Least over greatest luminance of 9 spots of the active area; of 13 spots: " +
+                  rounded(100.0 * f.uniformity_13, 3) + " %.") +
+         "</div>\n<p class=\"def\">All from a final trace of " + grouped(f.photons) +
+         " photons with fresh random numbers; \u00b1 is one standard error.</p>\n";
+}
+
+std::string ratio_cards(const Comparison& comparison) {
+  std::string html;
+  for (const VariantRatio& ratio : comparison.ratios) {
+    html += "<h3>" + html_escape(ratio.name) + "</h3>\n<div class=\"cards\">\n" +
+            card("Luminance", measured(ratio.luminance), gain_text(ratio.luminance),
+                 "Mean luminance of the two designs for equal flux of the LEDs.") +
+            card("Flux", measured(ratio.flux), gain_text(ratio.flux),
+                 "Luminous flux that leaves the top, for equal flux of the LEDs.") +
+            card("Efficiency", measured(ratio.efficiency), gain_text(ratio.efficiency),
+                 "Share of the LED flux that leaves the top.") +
+            "</div>\n";
+  }
+  return html + "<p class=\"def\">Each design is made and judged on its own; \u00b1 is one standard error.</p>\n";
+}
+
+std::string final_table(const std::vector<const Report*>& reports) {
+  std::string html = "<div class=\"scroll\"><table>\n<thead><tr><th></th>";
+  for (const Report* report : reports) html += "<th class=\"n\">" + html_escape(report->variant) + "</th>";
+  html += "<th></th></tr></thead>\n<tbody>\n";
+  for (const FinalRow& row : final_rows()) {
+    html += fmt::format("<tr><td>{}</td>", row.name);
+    for (const Report* report : reports) html += "<td class=\"n\">" + html_escape(row.value(*report)) + "</td>";
+    html += fmt::format("<td>{}</td></tr>\n", row.unit);
+  }
+  return html + "</tbody></table></div>\n";
+}
+
+std::string step_table(const Report& report) {
+  std::string html =
+      "<div class=\"scroll\"><table>\n<thead><tr><th class=\"n\">step</th><th class=\"n\">photons</th><th class=\"n\">RMS raw "
+      "(%)</th><th class=\"n\">noise taken off (%)</th><th class=\"n\">efficiency (%)</th><th class=\"n\">mean "
+      "density</th><th class=\"n\">mean luminance (cd/m\u00b2)</th></tr></thead>\n<tbody>\n";
+  for (const StepRecord& s : report.steps) {
+    html += fmt::format("<tr><td class=\"n\">{}</td>", s.step);
+    for (const std::string& value : {grouped(s.photons), rounded(100.0 * s.rms), measured(s.rms_corrected, 100.0),
+                                     measured(s.efficiency, 100.0), rounded(s.mean_density), rounded(s.luminance_mean)}) {
+      html += "<td class=\"n\">" + value + "</td>";
+    }
+    html += "</tr>\n";
+  }
+  return html + "</tbody></table></div>\n";
+}
+
+std::string note_list(const Report& report) {
+  if (report.notes.empty()) return "";
+  std::string html = "<ul>\n";
+  for (const std::string& note : report.notes) html += "<li>" + html_escape(note) + "</li>\n";
+  return html + "</ul>\n";
+}
+
+std::string fact_table(const std::vector<std::pair<std::string, std::string>>& facts) {
+  std::string html = "<table class=\"facts\"><tbody>\n";
+  for (const auto& [name, text] : facts) {
+    html += "<tr><th>" + html_escape(name) + "</th><td>" + html_escape(text) + "</td></tr>\n";
+  }
+  return html + "</tbody></table>\n";
+}
+
+std::string repeat_table(const Report& report) {
+  std::string changes;
+  for (const std::string& change : report.overrides) changes.append(changes.empty() ? "" : "\n").append(change);
+  std::vector<std::pair<std::string, std::string>> facts{{"Version", report.version},
+                                                         {"Seed", std::to_string(report.seed)},
+                                                         {"SHA-256 of the run file", report.run_file_sha256}};
+  if (!changes.empty()) facts.emplace_back("Changes to the run file", changes);
+  facts.emplace_back("Luminance", report.luminance_estimator);
+  facts.emplace_back("Time", duration(report.timing.wall_s) + " (" + duration(report.timing.cpu_s) + " CPU) on " +
+                                 std::to_string(report.threads) + " threads, " + std::to_string(report.ranks) +
+                                 " ranks; " + rounded(report.timing.photons_per_cpu_s, 3) + " photons per CPU second");
+  return "<pre>" + html_escape(report.command) + "</pre>\n" + fact_table(facts);
+}
+
+std::string run_file_fold(const Report& report) {
+  return "<details><summary>The run file</summary>\n<pre>" + html_escape(report.run_file_text) + "</pre></details>\n";
+}
+
+}  // namespace evenglow::design

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace evenglow::design {
+
+/// A whole page in one file: `title` is plain text, `body` is HTML, `data` is JSON that is safe in a <script> element.
+/// Its policy forbids every load from outside.
+std::string html_page(std::string_view title, std::string_view body, std::string_view data);
+
+/// The style sheet: light, dark (as the reader's system asks) and print.
+std::string_view page_style();
+/// The script: draws maps from the page's data and reads out values under the pointer.
+std::string_view page_script();
+
+}  // namespace evenglow::design

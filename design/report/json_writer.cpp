@@ -1,0 +1,142 @@
+#include "design/report/json_writer.h"
+
+#include <nlohmann/json.hpp>
+
+#include "design/report/output_file.h"
+
+namespace evenglow::design {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Ill-formed UTF-8 (file names may hold it) is replaced, never a reason to fail at the end of a long run.
+std::string text_of(const Json& json) { return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n'; }
+
+Json steps_of(const Report& report) {
+  Json steps = Json::array();
+  for (const StepRecord& s : report.steps) {
+    steps.push_back({{"step", s.step},
+                     {"photons", s.photons},
+                     {"rms", s.rms},
+                     {"rms_corrected", s.rms_corrected.value},
+                     {"rms_corrected_se", s.rms_corrected.se},
+                     {"efficiency", s.efficiency.value},
+                     {"efficiency_se", s.efficiency.se},
+                     {"mean_density", s.mean_density},
+                     {"luminance_mean_cd_m2", s.luminance_mean}});
+  }
+  return steps;
+}
+
+Json final_of(const FinalJudgment& f) {
+  return {{"photons", f.photons},
+          {"rms", f.rms},
+          {"rms_corrected", f.rms_corrected.value},
+          {"rms_corrected_se", f.rms_corrected.se},
+          {"uniformity_9", f.uniformity_9},
+          {"uniformity_13", f.uniformity_13},
+          {"luminance_mean_cd_m2", f.luminance_mean.value},
+          {"luminance_mean_se", f.luminance_mean.se},
+          {"luminance_centre_cd_m2", f.luminance_center},
+          {"efficiency", f.efficiency.value},
+          {"efficiency_se", f.efficiency.se}};
+}
+
+/// A key for a name, or for its second bearer "name (2)": no share is lost from the sum.
+std::string free_key(const Json& object, const std::string& name) {
+  std::string key = name;
+  for (int number = 2; object.contains(key); ++number) key = name + " (" + std::to_string(number) + ")";
+  return key;
+}
+
+Json shares_of(const std::vector<EnergyShare>& shares, double core::Estimate::*part) {
+  Json object = Json::object();
+  for (const EnergyShare& share : shares) object[free_key(object, share.name)] = share.share.*part;
+  return object;
+}
+
+Json energy_of(const EnergyAccount& energy, double core::Estimate::*part) {
+  return {{"escaped", shares_of(energy.escaped, part)},
+          {"absorbed", shares_of(energy.absorbed, part)},
+          {"lost", energy.lost.*part}};
+}
+
+Json energy_values(const EnergyAccount& energy) {
+  Json object{{"emitted_lm", energy.emitted_lm}};
+  object.update(energy_of(energy, &core::Estimate::value));
+  return object;
+}
+
+Json timing_of(const Report& report) {
+  Json steps = Json::array();
+  for (const StepRecord& s : report.steps) {
+    steps.push_back({{"step", s.step}, {"cpu_s", s.cpu_s}, {"wall_s", s.wall_s}});
+  }
+  return {{"wall_s", report.timing.wall_s},
+          {"cpu_s", report.timing.cpu_s},
+          {"photons_per_cpu_s", report.timing.photons_per_cpu_s},
+          {"steps", std::move(steps)}};
+}
+
+Json variant_of(const Report& report) {
+  Json variant = final_of(report.final);
+  variant["emitted_lm"] = report.energy.emitted_lm;
+  variant["energy"] = energy_values(report.energy);
+  variant["steps"] = report.steps.size();
+  variant["stop_reason"] = report.stop_reason;
+  variant["overrides"] = report.overrides;
+  variant["seed"] = report.seed;
+  variant["run_file_sha256"] = report.run_file_sha256;
+  return variant;
+}
+
+}  // namespace
+
+std::string result_json(const Report& report) {
+  return text_of({{"format", "evenglow-result/1"},
+                  {"version", report.version},
+                  {"title", report.title},
+                  {"variant", report.variant},
+                  {"command", report.command},
+                  {"overrides", report.overrides},
+                  {"run_file_sha256", report.run_file_sha256},
+                  {"seed", report.seed},
+                  {"threads", report.threads},
+                  {"ranks", report.ranks},
+                  {"stop_reason", report.stop_reason},
+                  {"luminance_estimator", report.luminance_estimator},
+                  {"density_limits", {report.density_min, report.density_max}},
+                  {"steps", steps_of(report)},
+                  {"final", final_of(report.final)},
+                  {"energy", energy_values(report.energy)},
+                  {"energy_se", energy_of(report.energy, &core::Estimate::se)},
+                  {"notes", report.notes},
+                  {"timing", timing_of(report)}});
+}
+
+std::string comparison_json(const Comparison& comparison) {
+  Json variants = Json::object();
+  for (const Report& report : comparison.variants) variants[report.variant] = variant_of(report);
+  Json ratios = Json::object();
+  for (const VariantRatio& r : comparison.ratios) {
+    ratios[r.name] = {{"luminance", r.luminance.value},   {"luminance_se", r.luminance.se},
+                      {"flux", r.flux.value},             {"flux_se", r.flux.se},
+                      {"efficiency", r.efficiency.value}, {"efficiency_se", r.efficiency.se}};
+  }
+  return text_of({{"format", "evenglow-compare/1"},
+                  {"version", comparison.variants.empty() ? "" : comparison.variants[0].version},
+                  {"title", comparison.title},
+                  {"command", comparison.command},
+                  {"variants", std::move(variants)},
+                  {"ratio", std::move(ratios)}});
+}
+
+void JsonWriter::write(const Report& report, const std::filesystem::path& directory) const {
+  write_file(directory / "result.json", result_json(report));
+}
+
+void JsonWriter::write(const Comparison& comparison, const std::filesystem::path& directory) const {
+  write_file(directory / "compare.json", comparison_json(comparison));
+}
+
+}  // namespace evenglow::design

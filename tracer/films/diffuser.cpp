@@ -1,0 +1,112 @@
+#include "tracer/films/diffuser.h"
+
+#include <cmath>
+
+#include "core/base/error.h"
+#include "core/base/units.h"
+
+namespace evenglow::tracer {
+namespace {
+
+core::Vec3 mirrored(const core::Vec3& k) {
+  return {k.x(), k.y(), -k.z()};
+}
+
+/// The unscattered light turned by the shortest way to `k_out`. Straight back, which only grazing light can do, any way
+/// is as short; then the polarization is kept in the frame that `any` gives.
+core::StokesVector turned(core::StokesVector light, const core::Vec3& k_out) {
+  const core::Vec3 k = light.frame.k;
+  const double denominator = 1.0 + k.dot(k_out);
+  if (denominator < 1e-9) {
+    light.frame = core::PolarizationFrame::any(k_out);
+    return light;
+  }
+  const core::Vec3 e1 = light.frame.e1 - (k + k_out) * (light.frame.e1.dot(k_out) / denominator);
+  light.frame = {k_out, (e1 - k_out * e1.dot(k_out)).normalized()};
+  return light;
+}
+
+/// What a mirror of reflectance 1 makes of the light: identity in the tangential count.
+core::StokesVector mirror_image(const core::StokesVector& light) {
+  return from_film(to_film(light, tangential_frame(light.frame.k)), tangential_frame(mirrored(light.frame.k)));
+}
+
+}  // namespace
+
+double Diffuser::lobe_width(double fwhm) {
+  return std::sin(0.5 * fwhm) / std::sqrt(2.0 * std::log(2.0));
+}
+
+Diffuser::Diffuser(const Spec& spec) : spec_(spec) {
+  const auto share = [](double x) { return x >= 0.0 && x <= 1.0; };
+  core::expects(share(spec.transmittance) && share(spec.reflectance) && share(spec.haze) &&
+                    share(spec.depolarization) && spec.transmittance + spec.reflectance <= 1.0 + 1e-12,
+                "a diffuser's shares lie in [0, 1] and T + R is at most 1");
+  if (spec.fwhm) lobe_.emplace(lobe_width(*spec.fwhm));
+}
+
+Bsdf::Specular Diffuser::specular(const core::Vec3&) const {
+  Specular s;
+  s.transmission = spec_.transmittance * (1.0 - spec_.haze) * core::MuellerMatrix::Identity();
+  return s;
+}
+
+std::optional<BsdfSample> Diffuser::sample(const core::StokesVector& incident, core::PhotonRng& rng) const {
+  const double chance = rng.uniform();
+  const core::Vec3& k = incident.frame.k;
+  if (chance < spec_.transmittance * (1.0 - spec_.haze)) return BsdfSample{incident, true};
+  if (chance < spec_.transmittance) return BsdfSample{scattered(incident, draw_direction(k, rng)), false};
+  if (chance < spec_.transmittance + spec_.reflectance) {
+    return BsdfSample{scattered(incident, draw_direction(mirrored(k), rng)), false};
+  }
+  return std::nullopt;
+}
+
+/// A direction on the side of `unscattered`.
+core::Vec3 Diffuser::draw_direction(const core::Vec3& unscattered, core::PhotonRng& rng) const {
+  const double side = unscattered.z() >= 0.0 ? 1.0 : -1.0;
+  while (true) {
+    const double angle = 2.0 * core::kPi * rng.uniform();
+    const double first = rng.uniform();
+    double bx = 0.0, by = 0.0, accept = 1.0;
+    if (lobe_) {
+      const double way = lobe_->width() * std::sqrt(-2.0 * std::log(first));
+      bx = unscattered.x() + way * std::cos(angle);
+      by = unscattered.y() + way * std::sin(angle);
+      if (bx * bx + by * by >= 1.0) continue;
+      accept = lobe_->scaling(std::sqrt(bx * bx + by * by)) / lobe_->largest_scaling();
+      if (rng.uniform() >= accept) continue;
+    } else {  // Lambert's law: uniform over the disk of direction cosines
+      bx = std::sqrt(first) * std::cos(angle);
+      by = std::sqrt(first) * std::sin(angle);
+    }
+    const double cos_out = std::sqrt(std::max(1.0 - bx * bx - by * by, 1e-18));
+    return core::Vec3(bx, by, side * cos_out).normalized();
+  }
+}
+
+core::StokesVector Diffuser::scattered(const core::StokesVector& incident, const core::Vec3& k_out) const {
+  const bool through = (incident.frame.k.z() >= 0.0) == (k_out.z() >= 0.0);
+  core::StokesVector light = turned(through ? incident : mirror_image(incident), k_out);
+  const double kept = 1.0 - spec_.depolarization;
+  light.Q *= kept;
+  light.U *= kept;
+  light.V *= kept;
+  return light;
+}
+
+core::StokesVector Diffuser::evaluate(const core::StokesVector& incident, const core::Vec3& k_out) const {
+  const core::Vec3& k = incident.frame.k;
+  const bool through = (k.z() >= 0.0) == (k_out.z() >= 0.0);
+  double f = through ? spec_.transmittance * spec_.haze : spec_.reflectance;
+  if (lobe_) {
+    const double dx = k_out.x() - k.x();
+    const double dy = k_out.y() - k.y();
+    f *= lobe_->value(std::hypot(k.x(), k.y()), std::hypot(k_out.x(), k_out.y()), dx * dx + dy * dy);
+  } else {
+    f /= core::kPi;
+  }
+  return scattered(incident, k_out).scaled(f);
+}
+
+}  // namespace evenglow::tracer

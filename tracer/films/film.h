@@ -1,0 +1,29 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "tracer/optics/bsdf.h"
+
+namespace evenglow::tracer {
+
+/// Body of a plain sheet whose two smooth faces the scene makes.
+struct DielectricSheet {
+  double refractive_index = 1.5;
+  double absorption = 0.0;  ///< 1/mm
+  double thickness = 0.1;   ///< mm
+};
+
+/// One film of the stack above the plate: a thin surface, or a sheet with a body.
+struct Film {
+  std::string kind;
+  double gap = 0.05;                    ///< mm of air below it
+  double axis = 0.0;                    ///< rad in [0, pi): pass axis from +x towards +y; 0 where the kind has none
+  std::unique_ptr<const Bsdf> surface;  ///< in the plate's frame, its axis applied; null for a sheet
+  std::optional<DielectricSheet> sheet;
+  std::vector<std::string> remarks;  ///< what its data needed, one sentence each, for the user
+};
+
+}  // namespace evenglow::tracer

@@ -1,0 +1,35 @@
+#pragma once
+
+#include "core/config/config_node.h"
+#include "tracer/films/film.h"
+
+namespace evenglow::tracer {
+
+/// Each reads the keys of its kind and makes the film. Faults are noted at the node; the film is then one that the
+/// values in range give, or has neither surface nor sheet.
+///
+/// | kind | key | meaning | default |
+/// | --- | --- | --- | --- |
+/// | all | gap_mm | air below the film, mm | 0.05 |
+/// | dbef, lpp | axis_deg | pass axis in [0, 180) from +x towards +y | 0 |
+/// | dbef | table | polarized BSDF table; without it the film is specular | none |
+/// |  | hemispherical | with `table`: totals that the table is normalized to | none: its own |
+/// |  | wavelength_nm | with `table`: wavelength that it is read at | 550 |
+/// |  | transmittance_pass, reflectance_pass | without `table`: along the pass axis, sum at most 1 | 1, 0 |
+/// |  | transmittance_block, reflectance_block | without `table`: along the block axis, sum at most 1 | 0, 1 |
+/// | lpp | k1, k2 | transmittance along the pass and the block axis | 0.8596, 0.0004 |
+/// |  | reflectance | of any light; k1 + reflectance at most 1 | 0.04 |
+/// | diffuser | transmittance, reflectance | totals, sum at most 1 | 0.9, 0.1 |
+/// |  | haze | share of the transmitted light that is scattered | 1 |
+/// |  | lobe | gaussian or lambertian | gaussian |
+/// |  | fwhm_deg | gaussian: full width at half maximum of the luminance lobe at normal incidence, [1, 150] | 40 |
+/// |  | depolarization | of scattered light, [0, 1] | 0 |
+/// | sheet | refractive_index | [1.0001, 4] | 1.5 |
+/// |  | absorption_per_m | bulk, 1/m | 0 |
+/// |  | thickness_mm | [0.001, 100] | 0.1 |
+Film make_dbef(const core::ConfigNode& node);
+Film make_lpp(const core::ConfigNode& node);
+Film make_diffuser(const core::ConfigNode& node);
+Film make_sheet(const core::ConfigNode& node);
+
+}  // namespace evenglow::tracer

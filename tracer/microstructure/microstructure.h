@@ -1,0 +1,20 @@
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "core/config/registry.h"
+#include "tracer/optics/bsdf.h"
+
+namespace evenglow::tracer {
+
+/// A shape of the pattern: what a photon meets with the odds of the local density.
+struct Microstructure {
+  std::string kind;
+  std::unique_ptr<const Bsdf> surface;
+};
+
+/// One line for each shape; a maker reads the shape's keys from the node `backlight.microstructure`.
+const core::Registry<Microstructure>& microstructure_registry();
+
+}  // namespace evenglow::tracer

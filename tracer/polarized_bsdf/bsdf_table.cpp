@@ -1,0 +1,208 @@
+#include "tracer/polarized_bsdf/bsdf_table.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "core/base/units.h"
+#include "tracer/polarized_bsdf/bsdf_grid.h"
+#include "tracer/polarized_bsdf/csv_numbers.h"
+
+namespace evenglow::tracer {
+namespace {
+
+constexpr double kHuge = 1e12;
+/// Least S, as a share of the table's largest, whose logarithm is taken: a node of zero must not pull its neighbors
+/// down to nothing.
+constexpr double kSmallestShare = 1e-12;
+/// Up to here S is a function of theta^2 (a smooth peak), rad; the margin is rounding of the degrees.
+constexpr double kPeak = 10.0 * core::kRadPerDeg + 1e-9;
+
+const std::vector<CsvColumn>& columns() {
+  static const std::vector<CsvColumn> table{
+      {"kind", "BRDF or BTDF", 0, 0, false, true, {"BRDF", "BTDF"}},
+      {"psi_deg", "a number in [0, 180)", 0, 180, true},
+      {"sigma_deg", "a number in [0, 90)", 0, 90, true},
+      {"phi_deg", "a number in [0, 360)", 0, 360, true},
+      {"theta_deg", "a number in [0, 180)", 0, 180, true},
+      {"lambda_nm", "a number in [100, 10000]", 100, 10000},
+      {"tau_min", "a number in [0, 1e12]", 0, kHuge},
+      {"tau_max", "a number in [0, 1e12]", 0, kHuge},
+      {"delta_deg", "a number in [-360, 360]", -360, 360},
+      {"tau_min_se", "a number in [0, 1e12]", 0, kHuge, false, false},
+      {"tau_max_se", "a number in [0, 1e12]", 0, kHuge, false, false},
+      {"delta_se_deg", "a number in [0, 1e12]", 0, kHuge, false, false},
+      {"kappa", "a number in [0, 1]", 0, 1, false, false},
+  };
+  return table;
+}
+
+std::optional<std::pair<std::size_t, std::string>> row_fault(std::span<const double> row) {
+  if (row[kTauMin] <= row[kTauMax]) return std::nullopt;
+  return std::pair{std::size_t{kTauMin},
+                   fmt::format("must be at most tau_max = {}, got {}", row[kTauMax], row[kTauMin])};
+}
+
+std::vector<double> radians(std::vector<double> degrees) {
+  for (double& value : degrees) value *= core::kRadPerDeg;
+  return degrees;
+}
+
+/// Interval and share in it, both ends held.
+struct Bracket {
+  std::size_t i = 0, j = 0;
+  double t = 0.0;
+};
+
+template <typename Coordinate>
+Bracket bracket(const std::vector<double>& nodes, double x, Coordinate&& coordinate) {
+  if (nodes.size() == 1 || x <= nodes.front()) return {};
+  if (x >= nodes.back()) return {nodes.size() - 1, nodes.size() - 1, 0.0};
+  const auto next = static_cast<std::size_t>(std::upper_bound(nodes.begin() + 1, nodes.end() - 1, x) - nodes.begin());
+  const double low = coordinate(nodes[next - 1]);
+  return {next - 1, next, (coordinate(x) - low) / (coordinate(nodes[next]) - low)};
+}
+
+}  // namespace
+
+BsdfTable BsdfTable::read(const std::filesystem::path& file) {
+  return BsdfTable(CsvNumbers::read(file, columns(), row_fault));
+}
+
+BsdfTable BsdfTable::parse(std::string_view text, std::string name) {
+  return BsdfTable(CsvNumbers::parse(text, std::move(name), columns(), row_fault));
+}
+
+BsdfTable::BsdfTable(const CsvNumbers& numbers)
+    : name_(numbers.name()), psi_spline_({0.0}, core::kPi), phi_spline_({0.0}, 2.0 * core::kPi) {
+  const BsdfGrid grid = sort_to_grid(numbers);
+  axes_ = {radians(grid.psi), radians(grid.sigma), radians(grid.phi), radians(grid.theta), grid.lambda_nm};
+  psi_spline_ = PeriodicSpline(axes_.psi, core::kPi);
+  phi_spline_ = PeriodicSpline(axes_.phi, 2.0 * core::kPi);
+  const auto optional = [&](std::size_t row, std::size_t column, double otherwise) {
+    return numbers.has(column) ? numbers.value(row, column) : otherwise;
+  };
+  const std::size_t count = grid.order.size() / grid.kinds.size();
+  for (std::size_t k = 0; k < grid.kinds.size(); ++k) {
+    std::vector<Node>& nodes = nodes_[grid.kinds[k]];
+    nodes.reserve(count);
+    for (std::size_t i = k * count; i < (k + 1) * count; ++i) {
+      const std::size_t row = grid.order[i];
+      nodes.push_back({numbers.value(row, kTauMin), numbers.value(row, kTauMax),
+                       numbers.value(row, kDelta) * core::kRadPerDeg, optional(row, kKappa, 1.0),
+                       optional(row, kTauMinSe, 0.0), optional(row, kTauMaxSe, 0.0),
+                       optional(row, kDeltaSe, 0.0) * core::kRadPerDeg});
+    }
+  }
+  prepare_logs();
+}
+
+void BsdfTable::prepare_logs() {
+  double largest = 0.0;
+  for (const auto& nodes : nodes_) {
+    for (const Node& node : nodes) largest = std::max(largest, node.tau_min + node.tau_max);
+  }
+  const double smallest = std::max(largest * kSmallestShare, 1e-30);
+  for (std::size_t kind = 0; kind < 2; ++kind) {
+    for (const Node& node : nodes_[kind]) {
+      const double S = node.tau_min + node.tau_max;
+      const double share = S > 0.0 ? (node.tau_max - node.tau_min) / S : 0.0;
+      logs_[kind].push_back(
+          {std::log(std::max(S, smallest)), share * std::cos(2.0 * node.delta), share * std::sin(2.0 * node.delta)});
+    }
+  }
+}
+
+double BsdfTable::least_kappa() const {
+  double least = 1.0;
+  for (const auto& nodes : nodes_) {
+    for (const Node& node : nodes) least = std::min(least, node.kappa);
+  }
+  return least;
+}
+
+std::size_t BsdfTable::index(std::size_t psi, std::size_t sigma, std::size_t phi, std::size_t theta,
+                             std::size_t lambda) const {
+  const std::size_t incidence = (lambda * axes_.psi.size() + psi) * axes_.sigma.size() + sigma;
+  return (incidence * axes_.theta.size() + theta) * axes_.phi.size() + phi;
+}
+
+const BsdfTable::Node& BsdfTable::node(ScatterKind kind, std::size_t psi, std::size_t sigma, std::size_t phi,
+                                       std::size_t theta, std::size_t lambda) const {
+  return nodes_[static_cast<std::size_t>(kind)].at(index(psi, sigma, phi, theta, lambda));
+}
+
+BsdfTable::Value BsdfTable::at(ScatterKind kind, double psi, double sigma, double phi, double theta,
+                               double lambda_nm) const {
+  return has(kind) ? slice(kind, psi, sigma, lambda_nm).at(phi, theta) : Value{};
+}
+
+BsdfTable::Slice BsdfTable::slice(ScatterKind kind, double psi, double sigma, double lambda_nm) const {
+  core::expects(has(kind), "a slice is of a kind that the table holds");
+  const auto& logs = logs_[static_cast<std::size_t>(kind)];
+  const auto& nodes = nodes_[static_cast<std::size_t>(kind)];
+  const Bracket s = bracket(axes_.sigma, sigma, [](double x) { return std::sin(x) * std::sin(x); });
+  const Bracket l = bracket(axes_.lambda_nm, lambda_nm, [](double x) { return x; });
+  const std::vector<double> cubic = psi_spline_.weights(psi);
+  const std::vector<double> linear = psi_spline_.linear_weights(psi);
+  const std::size_t n_phi = axes_.phi.size();
+  const std::size_t count = n_phi * axes_.theta.size();
+  Slice slice;
+  slice.table_ = this;
+  slice.cells_.resize(count);
+  for (std::size_t corner = 0; corner < 4; ++corner) {
+    const double weight = (corner & 1 ? s.t : 1.0 - s.t) * (corner & 2 ? l.t : 1.0 - l.t);
+    if (weight == 0.0) continue;
+    for (std::size_t p = 0; p < axes_.psi.size(); ++p) {
+      const std::size_t base = index(p, corner & 1 ? s.j : s.i, 0, 0, corner & 2 ? l.j : l.i);
+      for (std::size_t c = 0; c < count; ++c) {
+        slice.cells_[c].log_S += weight * cubic[p] * logs[base + c].log_S;
+        slice.cells_[c].x += weight * linear[p] * logs[base + c].x;
+        slice.cells_[c].y += weight * linear[p] * logs[base + c].y;
+        slice.cells_[c].kappa += weight * linear[p] * nodes[base + c].kappa;
+      }
+    }
+  }
+  std::vector<double> ring(n_phi);
+  for (std::size_t t = 0; t < axes_.theta.size(); ++t) {
+    for (std::size_t p = 0; p < n_phi; ++p) ring[p] = slice.cells_[t * n_phi + p].log_S;
+    const std::vector<double> curvature = phi_spline_.second_derivatives(ring);
+    for (std::size_t p = 0; p < n_phi; ++p) slice.cells_[t * n_phi + p].log_S_curvature = curvature[p];
+  }
+  return slice;
+}
+
+BsdfTable::Value BsdfTable::Slice::at(double phi, double theta) const {
+  const std::vector<double>& nodes = table_->axes_.theta;
+  const std::size_t n_phi = table_->axes_.phi.size();
+  const PeriodicSpline::Place p = table_->phi_spline_.place(phi);
+  const auto log_S = [&](std::size_t t) {
+    const Cell& i = cells_[t * n_phi + p.i];
+    const Cell& j = cells_[t * n_phi + p.j];
+    return p.a * i.log_S + p.b * j.log_S + p.c * i.log_S_curvature + p.d * j.log_S_curvature;
+  };
+  Bracket t = bracket(nodes, theta, [](double x) { return x; });
+  if (t.j > t.i && nodes[t.j] <= kPeak) {
+    t.t = (theta * theta - nodes[t.i] * nodes[t.i]) / (nodes[t.j] * nodes[t.j] - nodes[t.i] * nodes[t.i]);
+  }
+  double value = log_S(t.i);
+  if (t.j > t.i) {
+    value += t.t * (log_S(t.j) - value);
+  } else if (theta > nodes.back() && nodes.size() > 1) {
+    const std::size_t last = nodes.size() - 1;
+    const double slope = (value - log_S(last - 1)) / (nodes[last] - nodes[last - 1]);
+    value += std::min(0.0, slope) * (theta - nodes[last]);
+  }
+  Value result{std::exp(value), 0.0, 0.0, 0.0};
+  for (const auto& [row, share] : {std::pair{t.i, 1.0 - t.t}, std::pair{t.j, t.t}}) {
+    const Cell& i = cells_[row * n_phi + p.i];
+    const Cell& j = cells_[row * n_phi + p.j];
+    result.x += share * (p.a * i.x + p.b * j.x);
+    result.y += share * (p.a * i.y + p.b * j.y);
+    result.kappa += share * (p.a * i.kappa + p.b * j.kappa);
+  }
+  return result;
+}
+
+}  // namespace evenglow::tracer

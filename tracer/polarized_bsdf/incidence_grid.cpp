@@ -1,0 +1,57 @@
+#include "tracer/polarized_bsdf/incidence_grid.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/units.h"
+
+namespace evenglow::tracer {
+
+IncidenceGrid::IncidenceGrid() {
+  for (const double degrees : {0.0,  5.0,  10.0, 15.0, 20.0, 25.0, 30.0, 35.0, 40.0, 45.0, 50.0, 55.0,
+                               60.0, 64.0, 68.0, 71.0, 74.0, 77.0, 80.0, 82.5, 85.0, 87.0, 88.5, 89.5}) {
+    sigma_.push_back(degrees * core::kRadPerDeg);
+    sin_.push_back(std::sin(sigma_.back()));
+    cos2_.push_back(std::cos(sigma_.back()) * std::cos(sigma_.back()));
+  }
+}
+
+double IncidenceGrid::psi(std::size_t node) const {
+  return static_cast<double>(node / cos2_.size()) * core::kPi / static_cast<double>(kPsi);
+}
+
+double IncidenceGrid::sigma(std::size_t node) const {
+  return sigma_[node % cos2_.size()];
+}
+
+IncidenceGrid::Place IncidenceGrid::place(double psi, double cos2) const {
+  Place p{};
+  const double turn = psi * (static_cast<double>(kPsi) / core::kPi);
+  p.psi0 = std::min(static_cast<std::size_t>(std::max(turn, 0.0)), kPsi - 1);
+  p.psi1 = (p.psi0 + 1) % kPsi;
+  p.psi_share = std::clamp(turn - static_cast<double>(p.psi0), 0.0, 1.0);
+  std::size_t below = 0;  // nodes steeper than the ray; a plain sum, which the compiler vectorizes
+  for (const double c : cos2_) below += c > cos2 ? 1 : 0;
+  p.sigma0 = below == 0 ? 0 : std::min(below, cos2_.size() - 1) - 1;
+  p.sigma1 = p.sigma0 + 1;
+  p.sigma_share = std::clamp((cos2_[p.sigma0] - cos2) / (cos2_[p.sigma0] - cos2_[p.sigma1]), 0.0, 1.0);
+  return p;
+}
+
+IncidenceGrid::Cell IncidenceGrid::cell(double psi, double cos2) const {
+  const Place p = place(psi, cos2);
+  Cell c;
+  c.node = {index(p.psi0, p.sigma0), index(p.psi1, p.sigma0), index(p.psi0, p.sigma1), index(p.psi1, p.sigma1)};
+  c.weight = {(1.0 - p.psi_share) * (1.0 - p.sigma_share), p.psi_share * (1.0 - p.sigma_share),
+              (1.0 - p.psi_share) * p.sigma_share, p.psi_share * p.sigma_share};
+  return c;
+}
+
+std::size_t IncidenceGrid::draw(double psi, double cos2, double uniform) const {
+  const Place p = place(psi, cos2);
+  const bool next_psi = uniform < p.psi_share;
+  const double rest = next_psi ? uniform / p.psi_share : (uniform - p.psi_share) / (1.0 - p.psi_share);
+  return index(next_psi ? p.psi1 : p.psi0, rest < p.sigma_share ? p.sigma1 : p.sigma0);
+}
+
+}  // namespace evenglow::tracer

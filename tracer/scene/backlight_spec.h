@@ -1,0 +1,64 @@
+#pragma once
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/base/units.h"
+#include "core/config/config_node.h"
+#include "core/math/cell_field.h"
+#include "tracer/films/film.h"
+#include "tracer/films/reflector.h"
+#include "tracer/geometry/mesh.h"
+#include "tracer/microstructure/microstructure.h"
+#include "tracer/optics/material.h"
+#include "tracer/receivers/luminance_receiver.h"
+#include "tracer/sources/source.h"
+
+namespace evenglow::tracer {
+
+struct LightGuidePlateSpec {
+  double length = 140.0;    ///< mm, along x
+  double width = 66.0;      ///< mm, along y
+  double thickness = 0.6;   ///< mm
+  Material material;
+};
+
+struct MicrostructureSpec {
+  Side face = Side::kBottom;  ///< bottom or top
+  int nx = 96;
+  int ny = 48;
+  double density = 0.1;  ///< at the start, every cell
+  Microstructure shape;
+};
+
+struct LuminanceReceiverSpec {
+  core::CellGrid cells;  ///< active area, mm
+  double cone = 10.0 * core::kRadPerDeg;  ///< half angle, rad
+  LuminanceEstimator estimator = LuminanceEstimator::kNextEvent;
+};
+
+struct AngularReceiverSpec {
+  int polar_count = 18;
+  int azimuth_count = 24;
+};
+
+/// A backlight as described: plain values, validated, in mm, rad and lm.
+struct BacklightSpec {
+  Box area;  ///< the plate, or, without one, the film area from z = 0 to the first film's place
+  std::optional<LightGuidePlateSpec> plate;
+  std::optional<MicrostructureSpec> microstructure;
+  std::vector<SourcePointer> sources;
+  std::vector<std::string> source_kinds;
+  std::array<std::optional<Reflector>, kSides> reflectors;
+  std::vector<Film> films;  ///< from the plate upwards
+  LuminanceReceiverSpec luminance;
+  std::optional<AngularReceiverSpec> angular;
+};
+
+/// Reads and checks the map `backlight`. Faults are noted in the document of the node.
+BacklightSpec read_backlight(const core::ConfigNode& backlight);
+
+}  // namespace evenglow::tracer

@@ -1,0 +1,191 @@
+#include <algorithm>
+#include <utility>
+
+#include "tracer/optics/dielectric_face.h"
+#include "tracer/scene/density_field.h"
+#include "tracer/scene/scene.h"
+
+namespace evenglow::tracer {
+namespace {
+
+using core::Vec3;
+
+/// Collects quads and surfaces of the scene under construction.
+class SceneBuilder {
+ public:
+  explicit SceneBuilder(BacklightSpec spec) : spec_(std::move(spec)) {}
+
+  Scene build() {
+    box_ = interior();
+    if (spec_.plate) add_plate();
+    for (int i = 0; i < kSides; ++i) add_reflector(static_cast<Side>(i));
+    add_films();
+    for (std::size_t i = 0; i < spec_.sources.size(); ++i) add_source(i);
+    double flux = 0.0;
+    for (const auto& source : spec_.sources) flux += source->flux();
+    std::optional<AngularReceiver> angular;
+    if (spec_.angular) angular.emplace(spec_.angular->polar_count, spec_.angular->azimuth_count);
+    const LuminanceReceiver luminance(spec_.luminance.cells, spec_.luminance.cone);
+    return Scene{std::move(spec_), box_, std::make_unique<RayCaster>(std::move(quads_)), std::move(surfaces_),
+                 std::move(bodies_), std::move(faces_), std::move(source_placements_), flux, std::move(viewed_films_),
+                 luminance, FluxReceiver(std::move(parts_)), angular};
+  }
+
+ private:
+  int part(std::string name) {
+    parts_.push_back(std::move(name));
+    return static_cast<int>(parts_.size()) - 1;
+  }
+
+  int add(const Quad& quad, Surface surface) {
+    surface.normal = quad.normal();
+    // The local x of horizontal surfaces is the plate's x: a film's axis counts from it.
+    surface.x = std::abs(surface.normal.z()) > 0.5 ? Vec3::UnitX() : Vec3(quad.u.normalized());
+    surface.y = surface.normal.cross(surface.x);
+    quads_.push_back(quad);
+    surfaces_.push_back(std::move(surface));
+    return static_cast<int>(quads_.size()) - 1;
+  }
+
+  /// The room between the reflectors; the top film closes it.
+  Box interior() const {
+    Box box = spec_.area;
+    for (const Film& film : spec_.films) box.max.z() += film.gap + (film.sheet ? film.sheet->thickness : 0.0);
+    for (int i = 0; i < kSides; ++i) {
+      const auto side = static_cast<Side>(i);
+      const auto& reflector = spec_.reflectors[static_cast<std::size_t>(i)];
+      if (reflector) (is_upper(side) ? box.max : box.min)[axis_of(side)] += is_upper(side) ? reflector->gap : -reflector->gap;
+    }
+    return box;
+  }
+
+  void add_body(const Box& body, double index, double absorption, int body_part) {
+    const int id = static_cast<int>(bodies_.size());
+    bodies_.push_back({index, absorption, body_part});
+    faces_.push_back(std::make_unique<DielectricFace>(index, 1.0));
+    for (int i = 0; i < kSides; ++i) {
+      Surface surface;
+      surface.optics = faces_.back().get();
+      surface.part = body_part;
+      surface.body = id;
+      add(side_of(body, static_cast<Side>(i)), std::move(surface));
+    }
+  }
+
+  void add_plate() {
+    add_body(spec_.area, spec_.plate->material.refractive_index, spec_.plate->material.absorption, part("light_guide_plate"));
+    if (!spec_.microstructure) return;
+    Surface& face = surfaces_[static_cast<std::size_t>(spec_.microstructure->face)];
+    face.pattern = spec_.microstructure->shape.surface.get();
+    face.pattern_part = part("microstructure");
+  }
+
+  void add_reflector(Side side) {
+    const auto& reflector = spec_.reflectors[static_cast<std::size_t>(side)];
+    if (!reflector) return;
+    Surface surface;
+    surface.optics = reflector->surface.get();
+    surface.part = part(std::string("reflectors.") + side_name(side));
+    reflector_quads_[static_cast<std::size_t>(side)] = add(side_of(box_, side), std::move(surface));
+  }
+
+  void add_films() {
+    int viewed = -1;
+    for (std::size_t i = 0; i < spec_.films.size(); ++i) {
+      if (spec_.films[i].surface && spec_.films[i].surface->scatters()) viewed = static_cast<int>(i);
+    }
+    double z = spec_.area.max.z();
+    for (std::size_t i = 0; i < spec_.films.size(); ++i) {
+      const Film& film = spec_.films[i];
+      const int film_part = part("films[" + std::to_string(i) + "]:" + film.kind);
+      z += film.gap;
+      Box place = box_;
+      place.min.z() = place.max.z() = z;
+      if (film.sheet) {
+        place.max.z() = z += film.sheet->thickness;
+        add_body(place, film.sheet->refractive_index, film.sheet->absorption, film_part);
+      } else {
+        Surface surface;
+        surface.optics = film.surface.get();
+        surface.part = film_part;
+        surface.is_viewed_scatterer =
+            static_cast<int>(i) == viewed && spec_.luminance.estimator == LuminanceEstimator::kNextEvent;
+        add(side_of(place, Side::kTop), std::move(surface));
+      }
+      if (static_cast<int>(i) > viewed && viewed >= 0) viewed_films_.push_back({film.surface.get(), film.sheet});
+    }
+  }
+
+  /// A source that is a body stands in the way: as a window of the reflector if both lie in one plane, else before it.
+  void add_source(std::size_t index) {
+    const Source& source = *spec_.sources[index];
+    const Side side = source.side();
+    const auto windows = source.windows();
+    if (windows.empty()) {
+      source_placements_.push_back({});
+      return;
+    }
+    const int source_part = part("sources[" + std::to_string(index) + "]:" + spec_.source_kinds[index]);
+    const int along = axis_of(side) == 0 ? 1 : 0;
+    const auto& reflector = spec_.reflectors[static_cast<std::size_t>(side)];
+    if (reflector && reflector->gap == source.gap()) {
+      const int quad = reflector_quads_[static_cast<std::size_t>(side)];
+      Surface& surface = surfaces_[static_cast<std::size_t>(quad)];
+      for (const SourceWindow& window : windows) {
+        Vec3 a = Vec3::Zero();
+        Vec3 b = Vec3::Zero();
+        a[along] = window.min_along;
+        a.z() = window.min_z;
+        b[along] = window.max_along;
+        b.z() = window.max_z;
+        const auto [x0, x1] = std::minmax(surface.x.dot(a), surface.x.dot(b));
+        const auto [y0, y1] = std::minmax(surface.y.dot(a), surface.y.dot(b));
+        surface.windows.push_back({x0, x1, y0, y1, source.window_surface(), source_part});
+      }
+      source_placements_.push_back({quad, false});
+      return;
+    }
+    Box place = spec_.area;
+    const double plane = spec_.area.plane(side) + (is_upper(side) ? source.gap() : -source.gap());
+    place.min[axis_of(side)] = place.max[axis_of(side)] = plane;
+    source_placements_.push_back({static_cast<int>(quads_.size()), true});
+    for (const SourceWindow& window : windows) {
+      place.min[along] = window.min_along;
+      place.max[along] = window.max_along;
+      place.min.z() = window.min_z;
+      place.max.z() = window.max_z;
+      Surface surface;
+      surface.optics = source.window_surface();
+      surface.part = source_part;
+      add(side_of(place, side), std::move(surface));
+    }
+  }
+
+  BacklightSpec spec_;
+  Box box_;
+  std::vector<Quad> quads_;
+  std::vector<Surface> surfaces_;
+  std::vector<Body> bodies_;
+  std::vector<std::unique_ptr<const Bsdf>> faces_;
+  std::vector<std::string> parts_;
+  std::vector<SourcePlacement> source_placements_;
+  std::vector<ViewedFilm> viewed_films_;
+  std::array<int, kSides> reflector_quads_{-1, -1, -1, -1, -1, -1};
+};
+
+}  // namespace
+
+DensityField initial_density(const BacklightSpec& spec) {
+  const Box& area = spec.area;
+  const auto grid = [&](int nx, int ny) {
+    return core::CellGrid::over(nx, ny, area.min.x(), area.min.y(), area.max.x(), area.max.y());
+  };
+  if (!spec.microstructure) return {core::CellField(grid(1, 1), 0.0)};
+  return {core::CellField(grid(spec.microstructure->nx, spec.microstructure->ny), spec.microstructure->density)};
+}
+
+Scene compile_scene(BacklightSpec spec) {
+  return SceneBuilder(std::move(spec)).build();
+}
+
+}  // namespace evenglow::tracer

@@ -1,0 +1,21 @@
+#pragma once
+
+#include "tracer/sources/source.h"
+
+namespace evenglow::tracer {
+
+/// A row of equal LEDs along an edge of the plate, centered on it and on its thickness.
+///
+/// | key | meaning | default |
+/// | --- | --- | --- |
+/// | edge | left, right, front or back | left |
+/// | count | number of LEDs | 12 |
+/// | pitch_mm | distance from LED to LED | edge / count |
+/// | size_mm | emitting window: along the edge, in thickness | [2.6, 0.4] |
+/// | gap_mm | air between window and plate | 0.05 |
+/// | flux_lm | luminous flux of each LED | 9 |
+/// | pattern | `lambertian`, or `cosine_power` with `exponent`: intensity ~ cos^n | lambertian |
+/// | reflectance | of the window (phosphor and package) for light that comes back, Lambertian | 0.5 |
+SourceSpec make_led_row(const core::ConfigNode& node);
+
+}  // namespace evenglow::tracer

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <optional>
+
+#include "core/light/stokes.h"
+#include "tracer/scene/scene.h"
+
+namespace evenglow::tracer {
+
+/// The next-event estimate of the luminance at the topmost scattering film: what a scatter there is expected to send to
+/// the viewer, through the specular films above it with all reflections between these (their light that comes back to
+/// the scatterer is traced, not estimated).
+class NextEvent {
+ public:
+  explicit NextEvent(const Scene& scene);
+
+  /// Score (1/sr) and bin for light that meets the scatterer `surface` at `position`; the direction of view is drawn
+  /// from the receiver's cone with density ~ cos. Empty: outside the active area, or nothing goes there.
+  /// `light` is in the surface's frame, which for films is that of the backlight.
+  std::optional<Score> score(const Bsdf& surface, const core::StokesVector& light, const core::Vec3& position,
+                             core::PhotonRng& rng) const;
+
+  /// Transmission (tangential count) of the specular films above for light that travels along k, k.z > 0.
+  core::MuellerMatrix transmission(const core::Vec3& k) const;
+
+ private:
+  core::Vec3 display_position(const core::Vec3& position, const core::Vec3& k) const;
+
+  const Scene& scene_;
+};
+
+}  // namespace evenglow::tracer

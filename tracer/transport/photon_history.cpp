@@ -1,0 +1,161 @@
+#include "tracer/transport/photon_history.h"
+
+#include <cmath>
+
+namespace evenglow::tracer {
+namespace {
+
+using core::StokesVector;
+using core::Vec3;
+
+Vec3 to_local(const Surface& surface, const Vec3& v) {
+  return {surface.x.dot(v), surface.y.dot(v), surface.normal.dot(v)};
+}
+
+Vec3 to_world(const Surface& surface, const Vec3& v) {
+  return v.x() * surface.x + v.y() * surface.y + v.z() * surface.normal;
+}
+
+void turn(StokesVector& light, const Vec3& k, const Vec3& e1) {
+  light.frame.k = k;
+  light.frame.e1 = e1;
+}
+
+/// Rounding of k and e1 grows from event to event unless it is taken out.
+void renormalize(core::PolarizationFrame& frame) {
+  frame.k *= 1.5 - 0.5 * frame.k.squaredNorm();
+  frame.e1 -= frame.e1.dot(frame.k) * frame.k;
+  frame.e1 *= 1.5 - 0.5 * frame.e1.squaredNorm();
+}
+
+}  // namespace
+
+void PhotonHistory::run(const core::RandomKey& key, std::uint64_t photon_index, BatchSums& sums) const {
+  core::PhotonRng rng(key, photon_index);
+  Walk walk;
+  walk.photon = emit(rng);
+  walk.optical_depth = -std::log(rng.uniform());
+  for (int events = 0; events < kMaxEvents; ++events) {
+    sums.events[0] += 1.0;
+    if (!step(walk, rng, sums)) return;
+  }
+  sums.energy[scene_.energy.lost_bin(LossReason::kStuck)] += 1.0;
+}
+
+Photon PhotonHistory::emit(core::PhotonRng& rng) const {
+  const auto& sources = scene_.spec.sources;
+  std::size_t chosen = 0;
+  if (sources.size() > 1) {
+    double at = rng.uniform() * scene_.flux;
+    while (chosen + 1 < sources.size() && at >= sources[chosen]->flux()) at -= sources[chosen++]->flux();
+  }
+  Photon photon = sources[chosen]->emit(rng);
+  const SourcePlacement& place = scene_.source_placements[chosen];
+  photon.quad = place.quad_per_window ? place.first_quad + photon.quad : place.first_quad;
+  return photon;
+}
+
+bool PhotonHistory::can_meet(const Photon& photon, int quad) const {
+  if (quad == photon.quad) return false;
+  const int body = scene_.surfaces[static_cast<std::size_t>(quad)].body;
+  if (photon.body < 0 && body < 0) return true;
+  const double slope = scene_.surfaces[static_cast<std::size_t>(quad)].normal.dot(photon.light.frame.k);
+  if (photon.body >= 0) return body == photon.body && slope > 0.0;
+  const int left_body = photon.quad >= 0 ? scene_.surfaces[static_cast<std::size_t>(photon.quad)].body : -1;
+  return body != left_body && slope < 0.0;
+}
+
+bool PhotonHistory::consistent(const Photon& photon, const RayHit& hit) const {
+  return hit.quad < 0 ? photon.body < 0 : can_meet(photon, hit.quad);
+}
+
+RayHit PhotonHistory::next_hit(const Photon& photon) const {
+  const RayHit hit = scene_.caster->nearest(photon.position, photon.light.frame.k, photon.quad);
+  if (consistent(photon, hit)) return hit;
+  return scene_.caster->nearest_exact(photon.position, photon.light.frame.k,
+                                      [&](int quad) { return can_meet(photon, quad); });
+}
+
+PhotonHistory::Encounter PhotonHistory::meet(const Surface& surface, const Vec3& position, core::PhotonRng& rng) const {
+  if (surface.pattern != nullptr && rng.uniform() < density_.at(position.x(), position.y())) {
+    return {surface.pattern, surface.pattern_part};
+  }
+  if (!surface.windows.empty()) {
+    const double x = surface.x.dot(position);
+    const double y = surface.y.dot(position);
+    for (const SurfaceWindow& w : surface.windows) {
+      if (x >= w.min_x && x <= w.max_x && y >= w.min_y && y <= w.max_y) return {w.optics, w.part};
+    }
+  }
+  return {surface.optics, surface.part};
+}
+
+void PhotonHistory::escape(const Walk& walk, BatchSums& sums) const {
+  const Photon& photon = walk.photon;
+  Crossing crossing;
+  crossing.k = photon.light.frame.k;
+  crossing.side = scene_.box.exit_side(photon.position, crossing.k);
+  const int axis = axis_of(crossing.side);
+  const double distance = (scene_.box.plane(crossing.side) - photon.position[axis]) / crossing.k[axis];
+  crossing.position = photon.position + (std::isfinite(distance) ? distance : 0.0) * crossing.k;
+  crossing.estimated = walk.estimated;
+  if (const auto score = scene_.luminance.score(crossing)) sums.luminance[score->bin] += score->weight;
+  if (const auto score = scene_.energy.score(crossing)) sums.energy[score->bin] += score->weight;
+  if (!scene_.angular) return;
+  if (const auto score = scene_.angular->score(crossing)) sums.angular[score->bin] += score->weight;
+}
+
+bool PhotonHistory::step(Walk& walk, core::PhotonRng& rng, BatchSums& sums) const {
+  Photon& photon = walk.photon;
+  const RayHit hit = next_hit(photon);
+  if (!consistent(photon, hit)) {
+    sums.energy[scene_.energy.lost_bin(LossReason::kLeak)] += 1.0;
+    return false;
+  }
+  if (hit.quad < 0) {
+    escape(walk, sums);
+    return false;
+  }
+  if (photon.body >= 0) {
+    const Body& body = scene_.bodies[static_cast<std::size_t>(photon.body)];
+    walk.optical_depth -= body.absorption * hit.distance;
+    if (walk.optical_depth <= 0.0) {
+      sums.energy[scene_.energy.absorbed_bin(body.part)] += 1.0;
+      return false;
+    }
+  }
+  const Surface& surface = scene_.surfaces[static_cast<std::size_t>(hit.quad)];
+  const Encounter encounter = meet(surface, hit.position, rng);
+  StokesVector light = photon.light;
+  turn(light, to_local(surface, light.frame.k), to_local(surface, light.frame.e1));
+  if (surface.is_viewed_scatterer) {
+    if (const auto score = next_event_.score(*encounter.optics, light, hit.position, rng)) {
+      sums.luminance[score->bin] += score->weight;
+    }
+  }
+  const double k_before = light.frame.k.z();
+  const auto sample = encounter.optics->sample(light, rng);
+  if (!sample) {
+    sums.energy[scene_.energy.absorbed_bin(encounter.part)] += 1.0;
+    return false;
+  }
+  const bool crosses = k_before * sample->light.frame.k.z() > 0.0;
+  if (surface.is_viewed_scatterer) {
+    walk.estimated = !sample->specular;
+  } else if (!sample->specular) {
+    walk.estimated = false;
+  }
+  photon.light = sample->light;
+  turn(photon.light, to_world(surface, sample->light.frame.k), to_world(surface, sample->light.frame.e1));
+  renormalize(photon.light.frame);
+  if (!std::isfinite(photon.light.frame.k.sum() + photon.light.Q + photon.light.U + photon.light.V)) {
+    sums.energy[scene_.energy.lost_bin(LossReason::kInvalid)] += 1.0;
+    return false;
+  }
+  photon.position = hit.position;
+  photon.quad = hit.quad;
+  if (surface.body >= 0 && crosses) photon.body = photon.body >= 0 ? -1 : surface.body;
+  return true;
+}
+
+}  // namespace evenglow::tracer

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <cstdint>
+
+#include "core/montecarlo/photon_rng.h"
+#include "tracer/scene/density_field.h"
+#include "tracer/scene/scene.h"
+#include "tracer/transport/batch_sums.h"
+#include "tracer/transport/next_event.h"
+
+namespace evenglow::tracer {
+
+/// One photon from birth to absorption or escape, in any scene: the reference that faster paths are held against.
+class PhotonHistory {
+ public:
+  PhotonHistory(const Scene& scene, const DensityField& density) : scene_(scene), density_(density), next_event_(scene) {}
+
+  /// Traces the photon with this index and adds what it does to `sums`.
+  void run(const core::RandomKey& key, std::uint64_t photon_index, BatchSums& sums) const;
+
+  /// More events than this end a history as stuck.
+  static constexpr int kMaxEvents = 1000000;
+
+ private:
+  /// The optics that a photon meets at a point of a surface.
+  struct Encounter {
+    const Bsdf* optics = nullptr;
+    int part = 0;
+  };
+  struct Walk {
+    Photon photon;
+    double optical_depth = 0.0;  ///< left until bulk absorption
+    bool estimated = false;      ///< the last event was a scatter whose way out was estimated
+  };
+
+  Photon emit(core::PhotonRng& rng) const;
+  /// Nearest surface; a hit that contradicts the body that the photon is in is searched for anew in double precision.
+  RayHit next_hit(const Photon& photon) const;
+  /// Can the photon meet this quad next? Bodies are convex: from inside only their own faces can be met, from the
+  /// inside; from a face outwards, none of the same body.
+  bool can_meet(const Photon& photon, int quad) const;
+  bool consistent(const Photon& photon, const RayHit& hit) const;
+  Encounter meet(const Surface& surface, const core::Vec3& position, core::PhotonRng& rng) const;
+  /// One flight and one interaction; false: the history has ended.
+  bool step(Walk& walk, core::PhotonRng& rng, BatchSums& sums) const;
+  void escape(const Walk& walk, BatchSums& sums) const;
+
+  const Scene& scene_;
+  const DensityField& density_;
+  NextEvent next_event_;
+};
+
+}  // namespace evenglow::tracer

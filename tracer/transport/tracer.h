@@ -1,0 +1,53 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <stop_token>
+
+#include "core/config/config_node.h"
+#include "core/montecarlo/photon_rng.h"
+#include "core/montecarlo/tally.h"
+#include "tracer/scene/density_field.h"
+#include "tracer/scene/scene.h"
+
+namespace evenglow::tracer {
+
+/// How a backlight is traced; the map `trace` of the run file.
+struct TraceSpec {
+  std::uint64_t photons = 20'000'000;  ///< of a trace that judges; rounded up to a multiple of `batches`
+  std::uint64_t seed = 1;
+  std::size_t batches = 100;  ///< realizations from which the standard errors come
+};
+
+TraceSpec read_trace(const core::ConfigNode& trace);
+
+/// The numbers of one trace: a Tally for each receiver.
+struct TraceResult {
+  std::uint64_t photons = 0;
+  double flux = 0.0;     ///< lm that the photons share
+  core::Tally luminance;  ///< scores, 1/sr
+  core::Tally energy;     ///< photons
+  core::Tally angular;    ///< photons
+  double events = 0.0;    ///< surface interactions in all
+};
+
+/// Photons done so far; called from any thread, one call at a time.
+using TraceProgress = std::function<void(std::uint64_t)>;
+
+struct TraceOptions {
+  std::uint64_t photons = 0;  ///< a multiple of `batches`
+  std::size_t batches = 100;
+  core::RandomKey key;
+  int threads = 0;  ///< 0: all
+  std::stop_token stop{};
+  TraceProgress progress{};
+};
+
+/// The next multiple of `batches` that is not less than `photons`.
+std::uint64_t whole_batches(std::uint64_t photons, std::size_t batches);
+
+/// Traces all photons. Empty if it was stopped. Throws Error if more than 1e-6 of the photons (and more than 10) were lost.
+std::optional<TraceResult> trace(const Scene& scene, const DensityField& density, const TraceOptions& options);
+
+}  // namespace evenglow::tracer
