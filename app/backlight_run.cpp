@@ -160,7 +160,8 @@ std::optional<Report> run_design_job(Run run, const RunContext& context) {
   report.density = progress.best_density.cells;
   report.steps = progress.steps;
   report.start_luminance = progress.start_luminance;
-  report.notes.insert(report.notes.end(), progress.notes.begin(), progress.notes.end());
+  if (!progress.level_note.empty()) report.notes.push_back(progress.level_note);
+  report.notes.insert(report.notes.end(), progress.limit_notes.begin(), progress.limit_notes.end());
   take_observation(*observation, report);
   finish_timing(watch, report);
   return report;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/commands/commands.h"
+#include "app/commands/film.h"
 #include "app/interrupt.h"
 #include "core/base/error.h"
 #include "core/base/version.h"
@@ -84,6 +85,8 @@ int run(int argc, char** argv) {
     if (command.traces) add_trace_options(*sub, options, command.run != evenglow::app::simulate_command);
     sub->callback([&chosen, &command] { chosen = &command; });
   }
+  evenglow::app::FilmGroup films;
+  films.add_to(program);
   try {
     program.parse(argc, argv);
   } catch (const CLI::Success& success) {
@@ -93,6 +96,7 @@ int run(int argc, char** argv) {
     return evenglow::app::kWrongInput;
   }
   const evenglow::app::InterruptGuard interrupt;
+  if (films.chosen() != nullptr) return films.chosen()->run({options, interrupt.token(), "film"});
   return chosen->run({options, interrupt.token(), repeating_command(chosen->name, options)});
 }
 

@@ -104,15 +104,18 @@ CellField resample_bilinear(const CellField& field, const CellGrid& grid) {
   return result;
 }
 
-CellField smooth_gaussian(const CellField& field, double sigma_cells) {
-  if (sigma_cells <= 0.0) return field;
-  const std::vector<double> kernel = gaussian_kernel(sigma_cells);
+CellField smooth_gaussian(const CellField& field, double sigma_x, double sigma_y) {
   const int nx = field.grid.nx;
   const int ny = field.grid.ny;
   CellField rows = field;
-  for (int iy = 0; iy < ny; ++iy) {
-    convolve_line(field.values.data() + iy * nx, rows.values.data() + iy * nx, nx, 1, kernel);
+  if (sigma_x > 0.0) {
+    const std::vector<double> kernel = gaussian_kernel(sigma_x);
+    for (int iy = 0; iy < ny; ++iy) {
+      convolve_line(field.values.data() + iy * nx, rows.values.data() + iy * nx, nx, 1, kernel);
+    }
   }
+  if (sigma_y <= 0.0) return rows;
+  const std::vector<double> kernel = gaussian_kernel(sigma_y);
   CellField result = rows;
   for (int ix = 0; ix < nx; ++ix) convolve_line(rows.values.data() + ix, result.values.data() + ix, ny, nx, kernel);
   return result;

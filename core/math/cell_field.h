@@ -50,8 +50,11 @@ CellField resample_nearest(const CellField& field, const CellGrid& grid);
 /// The field on another grid, bilinear between the centers of its cells, constant beyond the outermost centers.
 CellField resample_bilinear(const CellField& field, const CellGrid& grid);
 
-/// The field smoothed by a Gaussian of `sigma_cells` (in cells, same in x and y), reflecting at the borders;
-/// `sigma_cells` = 0 returns the field. The sum of the values is kept.
-CellField smooth_gaussian(const CellField& field, double sigma_cells);
+/// The field smoothed by a Gaussian of `sigma_x` and `sigma_y` (in cells; 0: not smoothed in that direction), reflecting
+/// at the borders, so that the sum of the values is kept.
+CellField smooth_gaussian(const CellField& field, double sigma_x, double sigma_y);
+inline CellField smooth_gaussian(const CellField& field, double sigma) {
+  return smooth_gaussian(field, sigma, sigma);
+}
 
 }  // namespace evenglow::core

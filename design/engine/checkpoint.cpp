@@ -76,7 +76,8 @@ json to_json(const std::string& identity, const DesignProgress& progress) {
           {"best_density", to_json(progress.best_density.cells)},
           {"best_rms", progress.best_rms},
           {"stop_reason", progress.stop_reason},
-          {"notes", progress.notes}};
+          {"level_note", progress.level_note},
+          {"limit_notes", progress.limit_notes}};
 }
 
 DesignProgress progress_from(const json& node) {
@@ -88,7 +89,8 @@ DesignProgress progress_from(const json& node) {
   progress.best_density.cells = field_from(node.at("best_density"));
   progress.best_rms = node.at("best_rms").get<double>();
   progress.stop_reason = node.at("stop_reason").get<std::string>();
-  progress.notes = node.at("notes").get<std::vector<std::string>>();
+  progress.level_note = node.at("level_note").get<std::string>();
+  progress.limit_notes = node.at("limit_notes").get<std::vector<std::string>>();
   core::expects(!progress.steps.empty(), "a checkpoint holds at least one step");
   return progress;
 }

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "design/engine/level_search.h"
 #include "design/problem/merit.h"
 #include "design/updaters/updater.h"
 
@@ -13,7 +14,8 @@ namespace evenglow::design {
 namespace {
 
 constexpr double kSettledLevel = 0.05;
-constexpr double kSettledEfficiency = 0.003;
+constexpr double kNoneYet = 1e9;       // worse than any RMS
+constexpr double kRoughlyRight = 0.3;  // RMS below which the level is chosen
 constexpr int kStallSteps = 4;
 constexpr double kStallGain = 0.05;
 constexpr double kWantedError = 0.15;  // of the RMS, over the RMS to reach
@@ -29,12 +31,9 @@ bool reached(const StepRecord& record, const DesignSpec& spec) {
          record.rms_corrected.se <= 0.5 * spec.stop_rms;
 }
 
-bool level_settled(const std::vector<StepRecord>& steps, const DesignSpec& spec, const Proposal& proposal) {
-  if (spec.level || std::abs(std::log(proposal.level_change)) < kSettledLevel) return true;
-  if (steps.size() < 3) return false;
-  const double before = steps[steps.size() - 2].efficiency.value;
-  const double gain = std::abs(steps.back().efficiency.value - before) / before;
-  return gain < kSettledEfficiency && steps.back().efficiency.se < 0.3 * kSettledEfficiency * before;
+bool level_rests(const DesignProgress& progress, const DesignSpec& spec, const Proposal& proposal) {
+  if (spec.level) return true;
+  return !progress.level_note.empty() && std::abs(std::log(proposal.level_change)) < kSettledLevel;
 }
 
 bool stalled(const std::vector<StepRecord>& steps, const DesignLimits& limits) {
@@ -57,7 +56,7 @@ std::uint64_t next_photons(const StepRecord& record, const DesignSpec& spec, con
 std::string stop_reason(const DesignProgress& progress, const DesignSpec& spec, const DesignLimits& limits,
                         const Proposal& proposal) {
   const StepRecord& record = progress.steps.back();
-  if (reached(record, spec) && level_settled(progress.steps, spec, proposal)) {
+  if (reached(record, spec) && level_rests(progress, spec, proposal)) {
     return fmt::format("reached: the noise-corrected RMS is {:.2f} % (wanted {:.2f} %)", 100.0 * record.rms_corrected.value,
                        100.0 * spec.stop_rms);
   }
@@ -69,14 +68,23 @@ std::string stop_reason(const DesignProgress& progress, const DesignSpec& spec, 
 }
 
 void tell_limits(const Proposal& proposal, const DesignSpec& spec, DesignProgress& progress) {
-  progress.notes.clear();
+  progress.limit_notes.clear();
   const double cells = static_cast<double>(proposal.density.cells.values.size());
   const auto tell = [&](int count, const char* limit, double value) {
     if (count == 0) return;
-    progress.notes.push_back(fmt::format("The {} limit of the density ({}) holds {} cells ({:.2f} %).", limit, value, count, 100.0 * count / cells));
+    progress.limit_notes.push_back(fmt::format("The {} limit of the density ({}) holds {} cells ({:.2f} %).", limit, value, count, 100.0 * count / cells));
   };
   tell(proposal.clipped_low, "lower", spec.density_min);
   tell(proposal.clipped_high, "upper", spec.density_max);
+}
+
+/// A new level begins a new hunt for the best step.
+void change_level(const LevelChoice& choice, const DesignSpec& spec, Proposal& proposal, DesignProgress& progress) {
+  progress.level_note = choice.note;
+  for (double& density : proposal.density.cells.values) density *= choice.factor;
+  proposal.density = tracer::clamped(std::move(proposal.density), spec.density_min, spec.density_max);
+  proposal.level_change *= choice.factor;
+  if (choice.factor != 1.0) progress.best_rms = kNoneYet;
 }
 
 }  // namespace
@@ -128,15 +136,21 @@ DesignProgress run_design(const ForwardModel& model, const DesignSpec& spec, con
     if (!observation) return progress;
     state.observation = std::move(*observation);
     const StepRecord record = make_step_record(step, state.density, state.observation);
+    DesignProgress before = progress;  // an interruption during the search of the level undoes the step
     progress.steps.push_back(record);
     if (step == 0) progress.start_luminance = state.observation.map.luminance;
     Proposal proposal = updater->propose(state, spec);
     const bool trusted = record.rms_corrected.se <= 0.5 * std::max(record.rms_corrected.value, spec.stop_rms);
-    if (step == 0 || (trusted && record.rms_corrected.value < progress.best_rms) || reached(record, spec)) {
+    if (step == 0 || (trusted && record.rms_corrected.value < progress.best_rms + record.rms_corrected.se) || reached(record, spec)) {
       progress.best_rms = record.rms_corrected.value;
       progress.best_density = state.density;
     }
     tell_limits(proposal, spec, progress);
+    if (progress.level_note.empty() && !spec.level && record.rms_corrected.value < kRoughlyRight) {
+      const auto choice = choose_level(model, proposal.density, spec, std::min(limits.first_photons, limits.largest_photons));
+      if (!choice) return before;
+      change_level(*choice, spec, proposal, progress);
+    }
     progress.stop_reason = stop_reason(progress, spec, limits, proposal);
     progress.density = std::move(proposal.density);
     progress.photons = next_photons(record, spec, limits);

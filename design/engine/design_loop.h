@@ -21,7 +21,8 @@ struct DesignProgress {
   tracer::DensityField best_density;  ///< the best so far
   double best_rms = 0.0;              ///< its noise-corrected RMS
   std::string stop_reason;            ///< not empty: the design has ended with `best_density`
-  std::vector<std::string> notes;
+  std::string level_note;             ///< how the level was chosen; empty: not yet
+  std::vector<std::string> limit_notes;  ///< which limits hold cells at the last step
 };
 
 /// Told of each finished step, with what it would take to go on from there.
@@ -38,9 +39,9 @@ DesignProgress start_design(tracer::DensityField density, const DesignSpec& spec
 /// Observe, judge, stop or propose. Returns the progress with a stop reason, or without one if the model was interrupted; it can
 /// then be handed in again.
 ///
-/// Stops when the noise-corrected RMS is below `stop_rms` plus its standard error and the level has settled (the updater would change the
-/// mean density by less than 5 %, or the last change gained less than 0.3 % of efficiency); when no step of the last four was better by
-/// 5 % at the largest number of photons; or after `max_steps`.
+/// Once the shape is roughly right (noise-corrected RMS below 30 %) the level is chosen (level_search.h), unless the spec fixes it.
+/// Stops when the noise-corrected RMS is below `stop_rms` plus its standard error and the level rests; when no step of the last four was
+/// better by 5 % at the largest number of photons; or after `max_steps`.
 DesignProgress run_design(const ForwardModel& model, const DesignSpec& spec, const DesignLimits& limits,
                           DesignProgress progress, const StepObserver& observer);
 

@@ -1,10 +1,10 @@
 #include "design/report/axis.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
+
+#include <fmt/format.h>
 
 namespace evenglow::design {
 namespace {
@@ -35,7 +35,9 @@ Axis with_step(const ValueScale& range, double step) {
   return axis;
 }
 
-double step_for(const ValueScale& range, int wanted) { return round_step((range.high - range.low) / wanted); }
+double step_for(const ValueScale& range, int wanted) {
+  return round_step((range.high - range.low) / wanted);
+}
 
 /// 1, 2, 5 times powers of ten; `n` counts them, 0 is 1.
 double one_two_five(int n) {
@@ -52,7 +54,13 @@ double Axis::position(double value) const {
   return std::log(value / range.low) / std::log(range.high / range.low);
 }
 
-Axis linear_axis(const ValueScale& range, int wanted) { return with_step(range, step_for(range, wanted)); }
+Axis linear_axis(const ValueScale& range, int wanted) {
+  Axis axis = with_step(range, step_for(range, wanted));
+  // One tick tells no scale.
+  for (int more = wanted + 1; axis.ticks.size() < 2 && more < 20; ++more)
+    axis = with_step(range, step_for(range, more));
+  return axis;
+}
 
 Axis rounded_axis(const ValueScale& range, int wanted) {
   const double step = step_for(range, wanted);

@@ -22,7 +22,8 @@ struct Axis {
   double position(double value) const;
 };
 
-/// Ticks at 1, 2, 2.5 or 5 times a power of ten, about `wanted` of them, within exactly this range.
+/// Ticks at 1, 2, 2.5 or 5 times a power of ten, about `wanted` of them (two at least), within exactly
+/// this range.
 Axis linear_axis(const ValueScale& range, int wanted = 5);
 /// The same with the range widened to the next ticks.
 Axis rounded_axis(const ValueScale& range, int wanted = 5);

@@ -1,13 +1,13 @@
 #include "design/report/cairo_drawing.h"
 
-#include <cairo/cairo.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <numbers>
+
+#include <cairo/cairo.h>
 
 #include "core/base/error.h"
 #include "design/report/output_file.h"
@@ -27,7 +27,9 @@ constexpr std::array<Rgb, 9> ink_colors{{{0.11, 0.13, 0.16},
                                          {0.63, 0.49, 0.03},
                                          {0.76, 0.20, 0.35}}};
 
-const Rgb& color_of(Ink ink) { return ink_colors[static_cast<std::size_t>(ink)]; }
+const Rgb& color_of(Ink ink) {
+  return ink_colors[static_cast<std::size_t>(ink)];
+}
 
 void set_color(cairo_t* context, const Rgb& c, double alpha = 1.0) {
   cairo_set_source_rgba(context, c.red, c.green, c.blue, alpha);
@@ -167,6 +169,20 @@ void CairoDrawing::cells(const Box& box, int nx, int ny, const std::vector<Rgb>&
   cairo_paint(context);
   cairo_restore(context);
   cairo_surface_destroy(image);
+}
+
+Rgb CairoDrawing::pixel(int x, int y) const {
+  cairo_surface_t* surface = state_->surface;
+  core::expects(
+      x >= 0 && y >= 0 && x < cairo_image_surface_get_width(surface) && y < cairo_image_surface_get_height(surface),
+      "a pixel within the picture");
+  cairo_surface_flush(surface);
+  const auto stride = static_cast<std::size_t>(cairo_image_surface_get_stride(surface));
+  std::uint32_t value = 0;
+  const std::size_t at = static_cast<std::size_t>(y) * stride + static_cast<std::size_t>(x) * sizeof value;
+  std::memcpy(&value, cairo_image_surface_get_data(surface) + at, sizeof value);
+  const auto part = [&](unsigned shift) { return static_cast<double>(value >> shift & 255U) / 255.0; };
+  return {part(16), part(8), part(0)};
 }
 
 void CairoDrawing::save(const std::filesystem::path& path) {

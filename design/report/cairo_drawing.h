@@ -25,6 +25,9 @@ class CairoDrawing final : public Drawing {
   /// Fills a box with nx x ny colored cells; index row * nx + column, the first row on top.
   void cells(const Box& box, int nx, int ny, const std::vector<Rgb>& colors);
 
+  /// Color of the pixel in column x and row y, both within the picture.
+  Rgb pixel(int x, int y) const;
+
   /// Replaces a file that is there. Throws core::Error that names the path if it cannot be written.
   void save(const std::filesystem::path& path);
 

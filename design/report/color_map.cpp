@@ -1,10 +1,10 @@
 #include "design/report/color_map.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+
+#include <fmt/format.h>
 
 namespace evenglow::design {
 namespace {
@@ -26,7 +26,9 @@ bool in_gamut(const Rgb& c) {
   return inside(c.red) && inside(c.green) && inside(c.blue);
 }
 
-double companded(double v) { return v <= 0.0031308 ? 12.92 * v : 1.055 * std::pow(v, 1.0 / 2.4) - 0.055; }
+double companded(double v) {
+  return v <= 0.0031308 ? 12.92 * v : 1.055 * std::pow(v, 1.0 / 2.4) - 0.055;
+}
 
 /// The color of this lightness and hue with the given chroma, or with the most that sRGB can show.
 Rgb nearest_srgb(double lightness, double chroma, double hue_deg) {
@@ -55,8 +57,8 @@ struct ColorMap::Path {
 ColorMap::ColorMap(const Path& path) : colors_{} {
   for (std::size_t i = 0; i < colors_.size(); ++i) {
     const double t = static_cast<double>(i) / 255.0;
-    const double chroma = path.chroma_dark * (1 - t) * (1 - t) + 2 * path.chroma_middle * t * (1 - t) +
-                          path.chroma_bright * t * t;
+    const double chroma =
+        path.chroma_dark * (1 - t) * (1 - t) + 2 * path.chroma_middle * t * (1 - t) + path.chroma_bright * t * t;
     colors_[i] = nearest_srgb(std::lerp(path.lightness_dark, path.lightness_bright, t), chroma,
                               std::lerp(path.hue_dark, path.hue_bright, t));
   }

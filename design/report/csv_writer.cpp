@@ -1,8 +1,8 @@
 #include "design/report/csv_writer.h"
 
-#include <fmt/format.h>
-
 #include <initializer_list>
+
+#include <fmt/format.h>
 
 #include "design/report/number_format.h"
 #include "design/report/output_file.h"
@@ -37,8 +37,9 @@ std::string convergence_csv(const Report& report) {
 
 std::string matrix_csv(const core::CellField& field, const std::string& quantity) {
   const core::CellGrid& g = field.grid;
-  std::string text = fmt::format("# {}; {} rows = y, {} columns = x; cell {} mm x {} mm; first corner at x {} mm, y {} mm\n",
-                                 quantity, g.ny, g.nx, g.dx, g.dy, g.x0, g.y0);
+  std::string text =
+      fmt::format("# {}; {} rows = y, {} columns = x; cell {} mm x {} mm; first corner at x {} mm, y {} mm\n", quantity,
+                  g.ny, g.nx, g.dx, g.dy, g.x0, g.y0);
   for (std::size_t i = 0; i < field.values.size(); ++i) {
     const bool last = (i + 1) % static_cast<std::size_t>(g.nx) == 0;
     text += shortest(field.values[i]) + (last ? '\n' : ',');
@@ -56,9 +57,9 @@ std::string angular_csv(const AngularLuminance& angular) {
     const std::size_t polar = i / azimuths;
     const double width = 360.0 / angular.azimuth_count;
     const auto azimuth = static_cast<double>(i % azimuths);
-    text += row(shortest(angular.polar_deg[polar]),
-                {angular.polar_deg[polar + 1], azimuth * width, (azimuth + 1.0) * width, angular.luminance[i].value,
-                 angular.luminance[i].se});
+    text +=
+        row(shortest(angular.polar_deg[polar]), {angular.polar_deg[polar + 1], azimuth * width, (azimuth + 1.0) * width,
+                                                 angular.luminance[i].value, angular.luminance[i].se});
   }
   return text;
 }
@@ -85,7 +86,8 @@ void CsvWriter::write(const Report& report, const std::filesystem::path& directo
   write_file(directory / "convergence.csv", convergence_csv(report));
   write_matrix(report.luminance, "luminance (cd/m2)", directory / "luminance.csv");
   write_matrix(report.luminance_se, "standard error of the luminance (cd/m2)", directory / "luminance_se.csv");
-  write_matrix(report.density, "density of the microstructure (share of the cell's area, 1)", directory / "density.csv");
+  write_matrix(report.density, "density of the microstructure (share of the cell's area, 1)",
+               directory / "density.csv");
   if (report.angular) write_file(directory / "angular.csv", angular_csv(*report.angular));
 }
 

@@ -68,7 +68,8 @@ Axis y_axis_of(const CurvePlot& plot) {
     extent.include(0.0);
     if (positive) extent.low = 0.0;  // an error bar alone asks for no room below zero
   }
-  const double least = std::max(0.005 * std::max(std::abs(extent.low), std::abs(extent.high)), 1e-12);
+  if (extent.low == 0.0 && extent.high == 0.0) extent.high = 1.0;
+  const double least = 0.005 * std::max(std::abs(extent.low), std::abs(extent.high));
   if (extent.high - extent.low < least) extent = {extent.low - least, extent.high + least};
   return rounded_axis({extent.low, extent.high});
 }

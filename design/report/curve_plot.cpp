@@ -6,7 +6,9 @@
 namespace evenglow::design {
 namespace {
 
-double clamped(double value, double low, double high) { return std::min(std::max(value, low), high); }
+double clamped(double value, double low, double high) {
+  return std::min(std::max(value, low), high);
+}
 
 /// One plot on its way to a drawing.
 class CurvePainter {

@@ -26,7 +26,7 @@ struct CurvePlot {
   std::string title;
   std::string x_label;
   std::string y_label;
-  bool log_y = false;      ///< values that are not positive become arrows on the lower edge
+  bool log_y = false;  ///< values that are not positive become arrows on the lower edge
   bool integer_x = false;
   bool from_zero = false;  ///< the y axis holds zero
   std::vector<Curve> curves;

@@ -1,9 +1,9 @@
 #include "design/report/html_energy.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <optional>
+
+#include <fmt/format.h>
 
 #include "design/report/number_format.h"
 #include "design/report/text_escape.h"
@@ -91,12 +91,13 @@ std::string energy_section(const std::vector<const Report*>& reports) {
   std::string rows;
   for (std::size_t i = 0; i < account.rows().size(); ++i) {
     const Destination& row = account.rows()[i];
-    rows += fmt::format("<tr><td><span class=\"swatch e{}\"></span>{}</td>", std::min(i, colors - 1), html_escape(row.label));
+    rows += fmt::format("<tr><td><span class=\"swatch e{}\"></span>{}</td>", std::min(i, colors - 1),
+                        html_escape(row.label));
     for (const auto& share : row.shares) rows += "<td class=\"n\">" + (share ? percent(*share) : "\u2013") + "</td>";
     rows += "</tr>\n";
   }
-  return html + "<div class=\"scroll\"><table>\n<thead><tr>" + head + "</tr></thead>\n<tbody>\n" + rows + "<tr class=\"sum\">" +
-         sums + "</tr>\n</tbody></table></div>\n";
+  return html + "<div class=\"scroll\"><table>\n<thead><tr>" + head + "</tr></thead>\n<tbody>\n" + rows +
+         "<tr class=\"sum\">" + sums + "</tr>\n</tbody></table></div>\n";
 }
 
 }  // namespace evenglow::design

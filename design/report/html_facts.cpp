@@ -1,9 +1,9 @@
 #include "design/report/html_facts.h"
 
-#include <fmt/format.h>
-
 #include <cmath>
 #include <functional>
+
+#include <fmt/format.h>
 
 #include "design/report/number_format.h"
 #include "design/report/text_escape.h"
@@ -12,10 +12,11 @@
 namespace evenglow::design {
 namespace {
 
-std::string card(const std::string& name, const std::string& value, const std::string& unit, const std::string& definition) {
-  return fmt::format(
-      "<div class=\"card\"><h3>{}</h3><strong>{}{}</strong><p class=\"def\">{}</p></div>\n", html_escape(name),
-      html_escape(value), unit.empty() ? "" : " <small>" + html_escape(unit) + "</small>", html_escape(definition));
+std::string card(const std::string& name, const std::string& value, const std::string& unit,
+                 const std::string& definition) {
+  return fmt::format("<div class=\"card\"><h3>{}</h3><strong>{}{}</strong><p class=\"def\">{}</p></div>\n",
+                     html_escape(name), html_escape(value),
+                     unit.empty() ? "" : " <small>" + html_escape(unit) + "</small>", html_escape(definition));
 }
 
 std::string gain_text(const core::Estimate& ratio) {
@@ -55,35 +56,45 @@ std::vector<FinalRow> final_rows() {
 
 std::string headline_cards(const Report& report) {
   const FinalJudgment& f = report.final;
+  const std::string origin = report.steps.size() > 1 ? "All from a final trace of " + grouped(f.photons) +
+                                                           " photons with fresh random numbers; "
+                                                     : "All from one trace of " + grouped(f.photons) + " photons; ";
   return "<div class=\"cards\">\n" +
          card("Evenness (RMS)", measured(f.rms_corrected, 100.0), "%",
               "Standard deviation over mean of the luminance of the cells of the active area, the Monte Carlo variance "
-              "taken off. Raw: " + rounded(100.0 * f.rms) + " %.") +
+              "taken off. Raw: " +
+                  rounded(100.0 * f.rms) + " %.") +
          card("Efficiency", measured(f.efficiency, 100.0), "%",
               "Luminous flux that leaves the top film within the hemisphere, over the flux of the LEDs.") +
          card("Mean luminance", measured(f.luminance_mean), "cd/m\u00b2",
-              "Of the active area, for " + rounded(report.energy.emitted_lm) + " lm of LED flux. Center: " +
-                  rounded(f.luminance_center) + " cd/m\u00b2.") +
+              "Of the active area, for " + rounded(report.energy.emitted_lm) +
+                  " lm of LED flux. Center: " + rounded(f.luminance_center) + " cd/m\u00b2.") +
          card("Uniformity", rounded(100.0 * f.uniformity_9, 3), "% of 9 spots",
               "Least over greatest luminance of 9 spots of the active area; of 13 spots: " +
                   rounded(100.0 * f.uniformity_13, 3) + " %.") +
-         "</div>\n<p class=\"def\">All from a final trace of " + grouped(f.photons) +
-         " photons with fresh random numbers; \u00b1 is one standard error.</p>\n";
+         "</div>\n<p class=\"def\">" + origin + "\u00b1 is one standard error.</p>\n";
 }
 
 std::string ratio_cards(const Comparison& comparison) {
-  std::string html;
+  std::string cards;
+  std::string rows;
   for (const VariantRatio& ratio : comparison.ratios) {
-    html += "<h3>" + html_escape(ratio.name) + "</h3>\n<div class=\"cards\">\n" +
-            card("Luminance", measured(ratio.luminance), gain_text(ratio.luminance),
-                 "Mean luminance of the two designs for equal flux of the LEDs.") +
-            card("Flux", measured(ratio.flux), gain_text(ratio.flux),
-                 "Luminous flux that leaves the top, for equal flux of the LEDs.") +
-            card("Efficiency", measured(ratio.efficiency), gain_text(ratio.efficiency),
-                 "Share of the LED flux that leaves the top.") +
-            "</div>\n";
+    cards += card("Luminance, " + ratio.name, measured(ratio.luminance), gain_text(ratio.luminance),
+                  "Mean luminance of the two designs for equal flux of the LEDs.");
+    rows += "<tr><td>" + html_escape(ratio.name) + "</td>";
+    for (const core::Estimate& value : {ratio.luminance, ratio.flux, ratio.efficiency}) {
+      rows += "<td class=\"n\">" + measured(value) + "</td>";
+    }
+    rows += "</tr>\n";
   }
-  return html + "<p class=\"def\">Each design is made and judged on its own; \u00b1 is one standard error.</p>\n";
+  if (rows.empty()) return "";
+  return "<div class=\"cards\">\n" + cards +
+         "</div>\n<div class=\"scroll\"><table>\n<thead><tr><th>ratio</th><th class=\"n\">luminance</th>"
+         "<th class=\"n\">flux</th><th class=\"n\">efficiency</th></tr></thead>\n<tbody>\n" +
+         rows +
+         "</tbody></table></div>\n<p class=\"def\">For equal flux of the LEDs. Flux: luminous flux that leaves the top "
+         "within the hemisphere. Efficiency: its share of the LED flux. Each design is made and judged on its own; "
+         "\u00b1 is one standard error.</p>\n";
 }
 
 std::string final_table(const std::vector<const Report*>& reports) {
@@ -100,13 +111,15 @@ std::string final_table(const std::vector<const Report*>& reports) {
 
 std::string step_table(const Report& report) {
   std::string html =
-      "<div class=\"scroll\"><table>\n<thead><tr><th class=\"n\">step</th><th class=\"n\">photons</th><th class=\"n\">RMS raw "
+      "<div class=\"scroll\"><table>\n<thead><tr><th class=\"n\">step</th><th class=\"n\">photons</th><th "
+      "class=\"n\">RMS raw "
       "(%)</th><th class=\"n\">noise taken off (%)</th><th class=\"n\">efficiency (%)</th><th class=\"n\">mean "
       "density</th><th class=\"n\">mean luminance (cd/m\u00b2)</th></tr></thead>\n<tbody>\n";
   for (const StepRecord& s : report.steps) {
     html += fmt::format("<tr><td class=\"n\">{}</td>", s.step);
-    for (const std::string& value : {grouped(s.photons), rounded(100.0 * s.rms), measured(s.rms_corrected, 100.0),
-                                     measured(s.efficiency, 100.0), rounded(s.mean_density), rounded(s.luminance_mean)}) {
+    for (const std::string& value :
+         {grouped(s.photons), rounded(100.0 * s.rms), measured(s.rms_corrected, 100.0), measured(s.efficiency, 100.0),
+          rounded(s.mean_density), rounded(s.luminance_mean)}) {
       html += "<td class=\"n\">" + value + "</td>";
     }
     html += "</tr>\n";

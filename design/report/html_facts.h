@@ -10,7 +10,7 @@ namespace evenglow::design {
 
 /// The four headline numbers of a run, each with its definition.
 std::string headline_cards(const Report& report);
-/// The ratios of a comparison as cards and their definition.
+/// The ratios of a comparison: a card for each gain in luminance, a table of all, definitions.
 std::string ratio_cards(const Comparison& comparison);
 /// The final figures, a column for each report.
 std::string final_table(const std::vector<const Report*>& reports);

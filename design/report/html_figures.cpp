@@ -1,5 +1,7 @@
 #include "design/report/html_figures.h"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "design/report/svg_drawing.h"
@@ -8,7 +10,10 @@
 namespace evenglow::design {
 namespace {
 
-constexpr const char* bar_element = R"(<div class="bar"><span></span><i></i><span></span></div>)";
+std::string bar_element(double max_width) {
+  return fmt::format("<div class=\"bar\" style=\"max-width:{:.0f}px\"><span></span><i></i><span></span></div>",
+                     max_width);
+}
 
 std::string caption_element(const std::string& title, const std::string& caption) {
   return fmt::format("<figcaption>{}{}</figcaption>\n", html_escape(title),
@@ -21,8 +26,8 @@ std::string ticks_element(double start, double length, int wanted, bool along_x)
     spans += fmt::format("<span style=\"{}:{:.2f}%\">{}</span>", along_x ? "left" : "bottom",
                          100.0 * (tick.value - start) / length, tick.label);
   }
-  return fmt::format("<div class=\"ticks {}\">{}<span class=\"axis\">{} (mm)</span></div>\n", along_x ? "tx" : "ty", spans,
-                     along_x ? "x" : "y");
+  return fmt::format("<div class=\"ticks {}\">{}<span class=\"axis\">{} (mm)</span></div>\n", along_x ? "tx" : "ty",
+                     spans, along_x ? "x" : "y");
 }
 
 std::string key_element(const Curve& curve) {
@@ -41,18 +46,21 @@ std::string map_figure(const MapFigure& map, PageData& data) {
                                  data.add_map(*map.field, map.se, map.unit, map.colors, map.scale));
   html += caption_element(map.title, map.caption);
   // A high panel must not push the page apart: its width is what makes it 460 px high.
-  html += fmt::format("<div class=\"field\" style=\"max-width:{:.0f}px\">\n", std::max(60.0, 460.0 * width / height));
+  const double max_width = std::max(60.0, 460.0 * width / height);
+  html += fmt::format("<div class=\"field\" style=\"max-width:{:.0f}px\">\n", max_width);
   html += fmt::format(
-      "<canvas style=\"aspect-ratio:{:.4f}\" role=\"img\" aria-label=\"{}\"><!-- drawn by the script below --></canvas>\n",
+      "<canvas style=\"aspect-ratio:{:.4f}\" role=\"img\" aria-label=\"{}\"><!-- drawn by the script below "
+      "--></canvas>\n",
       width / height, html_escape(map.title + ", " + map.caption));
   html += ticks_element(grid.x0, width, width < 0.6 * height ? 2 : 5, true);
   html += ticks_element(grid.y0, height, height < 0.25 * width ? 1 : (height < 0.8 * width ? 3 : 5), false);
-  return html + "</div>\n" + bar_element + "\n<output class=\"read\">Point at the map to read values.</output>\n</figure>\n";
+  return html + "</div>\n" + bar_element(std::max(240.0, max_width)) +
+         "\n<output class=\"read\">Point at the map to read values.</output>\n</figure>\n";
 }
 
 std::string curve_figure(const CurvePlot& plot, const std::string& note, PageData& data) {
-  constexpr double width = 460.0;
-  constexpr double height = 270.0;
+  constexpr double width = 420.0;
+  constexpr double height = 256.0;
   SvgDrawing drawing(width, height);
   CurvePlot body = plot;
   body.title.clear();  // stands in the caption
@@ -68,12 +76,14 @@ std::string curve_figure(const CurvePlot& plot, const std::string& note, PageDat
       drawing.element(plot.title + ": " + plot.y_label + " against " + plot.x_label), keys);
 }
 
-std::string polar_figure(const std::string& title, const AngularLuminance& angular, PageData& data) {
+std::string polar_figure(const std::string& title, const AngularLuminance& angular, double top, PageData& data) {
   return fmt::format(
-      "<figure class=\"polar\" data-polar=\"{}\">\n{}<canvas style=\"aspect-ratio:1\" role=\"img\" aria-label=\"{}\"></canvas>\n"
+      "<figure class=\"polar\" data-polar=\"{}\">\n{}<canvas style=\"aspect-ratio:1\" role=\"img\" "
+      "aria-label=\"{}\"></canvas>\n"
       "{}\n<output class=\"read\">Point at the disc to read values.</output>\n</figure>\n",
-      data.add_polar(angular, "cd/m\u00b2"), caption_element(title, "normal view in the center, grazing at the rim; x to the right"),
-      html_escape(title), bar_element);
+      data.add_polar(angular, "cd/m\u00b2", top),
+      caption_element(title, "normal view in the center, grazing at the rim; x to the right"), html_escape(title),
+      bar_element(320.0));
 }
 
 std::string figure_group(const std::string& layout, const std::string& figures, const std::string& id) {

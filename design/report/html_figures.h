@@ -25,8 +25,9 @@ std::string map_figure(const MapFigure& map, PageData& data);
 /// Curves as inline SVG with a legend and read-out. `note` explains what the legend leaves out.
 std::string curve_figure(const CurvePlot& plot, const std::string& note, PageData& data);
 
-/// Luminance by direction as a disc: the normal in the center, grazing at the rim.
-std::string polar_figure(const std::string& title, const AngularLuminance& angular, PageData& data);
+/// Luminance by direction as a disc: the normal in the center, grazing at the rim. `top` (cd/m2, > 0) has the
+/// brightest color.
+std::string polar_figure(const std::string& title, const AngularLuminance& angular, double top, PageData& data);
 
 /// Figures side by side while there is room; `layout` is "two" or "three". `id` not empty: its maps can be switched
 /// between a common scale and one for each.

@@ -6,6 +6,12 @@
 
 namespace evenglow::design {
 
+std::string joined(std::initializer_list<std::string> parts) {
+  std::string all;
+  for (const std::string& part : parts) all += part;
+  return all;
+}
+
 std::string html_page(std::string_view title, std::string_view body, std::string_view data) {
   return fmt::format(R"(<!DOCTYPE html>
 <html lang="en">

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <initializer_list>
 #include <string>
 #include <string_view>
 
@@ -8,6 +9,10 @@ namespace evenglow::design {
 /// A whole page in one file: `title` is plain text, `body` is HTML, `data` is JSON that is safe in a <script> element.
 /// Its policy forbids every load from outside.
 std::string html_page(std::string_view title, std::string_view body, std::string_view data);
+
+/// Parts one after another. They are made in the order in which they are named, which `a + b` would leave open: the
+/// data of a page depends on it.
+std::string joined(std::initializer_list<std::string> parts);
 
 /// The style sheet: light, dark (as the reader's system asks) and print.
 std::string_view page_style();

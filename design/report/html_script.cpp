@@ -94,7 +94,7 @@ function polarBin(polar, azimuths, x, y) {
 }
 all('figure.polar', function (figure) {
   var set = data[figure.dataset.polar], canvas = figure.querySelector('canvas'), size = 640;
-  var scale = [0, Math.max(extent(set.v)[1], 1e-9)], palette = palettes[set.colors];
+  var scale = [0, set.top], palette = palettes[set.colors];
   canvas.width = canvas.height = size;
   var context = canvas.getContext('2d'), image = context.createImageData(size, size);
   for (var at = 0; at < size * size; ++at) {

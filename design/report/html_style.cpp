@@ -32,7 +32,7 @@ p { margin: 6px 0; max-width: 78ch; }
 figure { margin: 0; min-width: 0; }
 figcaption { font-weight: 600; margin-bottom: 6px; }
 figcaption small { display: block; font-weight: 400; font-size: .86rem; }
-svg { display: block; width: 100%; max-width: 620px; height: auto; touch-action: pan-y; }
+svg { display: block; width: 100%; max-width: 560px; height: auto; touch-action: pan-y; }
 svg text { font-family: inherit; }
 .i-text { --c: var(--text); } .i-muted { --c: var(--muted); } .i-grid { --c: var(--grid); }
 .i-s1 { --c: var(--s1); } .i-s2 { --c: var(--s2); } .i-s3 { --c: var(--s3); } .i-s4 { --c: var(--s4); }

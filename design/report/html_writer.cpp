@@ -1,5 +1,8 @@
 #include "design/report/html_writer.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "design/report/html_energy.h"
 #include "design/report/html_facts.h"
 #include "design/report/html_figures.h"
@@ -17,13 +20,18 @@ constexpr const char* luminance_unit = "cd/m\u00b2";
 
 using Reports = std::vector<const Report*>;
 
-std::string heading(const std::string& text) { return "<h2>" + html_escape(text) + "</h2>\n"; }
+std::string heading(const std::string& text) {
+  return "<h2>" + html_escape(text) + "</h2>\n";
+}
 
-std::string paragraph(const std::string& text) { return "<p class=\"def\">" + html_escape(text) + "</p>\n"; }
+std::string paragraph(const std::string& text) {
+  return "<p class=\"def\">" + html_escape(text) + "</p>\n";
+}
 
 std::string range_text(const core::CellField& field, const std::string& unit) {
   const FieldSummary s = summarize(field);
-  return "mean " + rounded(s.mean) + ", " + rounded(s.min) + " \u2026 " + rounded(s.max) + (unit.empty() ? "" : " " + unit);
+  return "mean " + rounded(s.mean) + ", " + rounded(s.min) + " \u2026 " + rounded(s.max) +
+         (unit.empty() ? "" : " " + unit);
 }
 
 MapFigure luminance_map(const std::string& title, const core::CellField& field, const core::CellField* se,
@@ -35,30 +43,35 @@ MapFigure density_map(const std::string& title, const Report& report, const Valu
   return {title, range_text(report.density, ""), &report.density, nullptr, "", "density", scale};
 }
 
-bool is_design(const Report& report) { return report.steps.size() > 1 && is_filled(report.start_luminance); }
+bool is_design(const Report& report) {
+  return report.steps.size() > 1 && is_filled(report.start_luminance);
+}
 
 std::string convergence_part(const Reports& reports, PageData& data) {
   const bool several = reports.size() > 1;
-  const std::string note = several ? "diamond: final trace with fresh random numbers" : "";
+  const std::string note = several ? "diamond: final trace" : "";
   const std::string rms_note = several ? "solid: noise taken off; dashed: raw; " + note : "";
-  return figure_group("two", curve_figure(rms_plot(reports), rms_note, data) +
-                                 curve_figure(efficiency_plot(reports), note, data), "");
+  return figure_group(
+      "two",
+      joined({curve_figure(rms_plot(reports), rms_note, data), curve_figure(efficiency_plot(reports), note, data)}),
+      "");
 }
 
 std::string run_maps(const Report& report, const std::string& id, PageData& data) {
   std::string figures;
   if (is_design(report)) {
     const ValueScale scale = common_scale({&report.start_luminance, &report.luminance});
-    figures = map_figure(luminance_map("Luminance at the start", report.start_luminance, nullptr, scale), data) +
-              map_figure(luminance_map("Luminance, final", report.luminance, &report.luminance_se, scale), data);
+    figures = map_figure(luminance_map("Luminance at the start", report.start_luminance, nullptr, scale), data);
+    figures += map_figure(luminance_map("Luminance, final", report.luminance, &report.luminance_se, scale), data);
   } else {
     const ValueScale scale = common_scale({&report.luminance});
     figures = map_figure(luminance_map("Luminance", report.luminance, &report.luminance_se, scale), data);
   }
-  const std::string rest =
-      map_figure(density_map("Density of the microstructure", report, common_scale({&report.density})), data) +
-      map_figure(luminance_map("Standard error of the luminance", report.luminance_se, nullptr,
-                               common_scale({&report.luminance_se})), data);
+  std::string rest =
+      map_figure(density_map("Density of the microstructure", report, common_scale({&report.density})), data);
+  rest += map_figure(luminance_map("Standard error of the luminance", report.luminance_se, nullptr,
+                                   common_scale({&report.luminance_se})),
+                     data);
   const std::string limits = paragraph("The design may choose densities from " + rounded(report.density_min) + " to " +
                                        rounded(report.density_max) + ".");
   if (!is_design(report)) return figure_group("three", figures + rest, "");
@@ -67,27 +80,44 @@ std::string run_maps(const Report& report, const std::string& id, PageData& data
 
 std::string section_part(const Reports& reports, PageData& data) {
   const std::string note = "band: one standard error";
-  return figure_group("two", curve_figure(luminance_section(reports, SectionDirection::along_x), note, data) +
-                                 curve_figure(luminance_section(reports, SectionDirection::along_y), note, data), "");
+  return figure_group("two",
+                      joined({curve_figure(luminance_section(reports, SectionDirection::along_x), note, data),
+                              curve_figure(luminance_section(reports, SectionDirection::along_y), note, data)}),
+                      "");
+}
+
+double greatest_angular(const Reports& reports) {
+  double top = 0.0;
+  for (const Report* report : reports) {
+    if (!report->angular) continue;
+    for (const core::Estimate& e : report->angular->luminance) {
+      top = std::max(top, std::isfinite(e.value) ? e.value : 0.0);
+    }
+  }
+  return top > 0.0 ? top : 1.0;
 }
 
 std::string angular_part(const Reports& reports, PageData& data) {
+  const double top = greatest_angular(reports);
   std::string discs;
   for (const Report* report : reports) {
     if (!report->angular) continue;
-    discs += polar_figure(reports.size() == 1 ? "All directions" : "All directions: " + report->variant, *report->angular,
-                          data);
+    discs += polar_figure(reports.size() == 1 ? "All directions" : "All directions: " + report->variant,
+                          *report->angular, top, data);
   }
   if (discs.empty()) return "";
-  return heading("Luminance by direction of view") + paragraph("Averaged over the active area, final design.") +
-         figure_group("two", curve_figure(angular_section(reports, SectionDirection::along_x), "", data) +
-                                 curve_figure(angular_section(reports, SectionDirection::along_y), "", data), "") +
+  return heading("Luminance by direction of view") + paragraph("Averaged over the active area.") +
+         figure_group("two",
+                      joined({curve_figure(angular_section(reports, SectionDirection::along_x), "", data),
+                              curve_figure(angular_section(reports, SectionDirection::along_y), "", data)}),
+                      "") +
          figure_group("three", discs, "");
 }
 
 std::string energy_part(const Reports& reports) {
   return heading("Where the light went") +
-         paragraph("Shares of the flux that the LEDs emit; \"leaves by\" is light that leaves the backlight on that side.") +
+         paragraph(
+             "Shares of the flux that the LEDs emit; \"leaves by\" is light that leaves the backlight on that side.") +
          energy_section(reports);
 }
 
@@ -99,14 +129,19 @@ std::string notes_part(const Report& report) {
 /// All of one run below its headline figures.
 std::string run_body(const Report& report, const std::string& id, PageData& data) {
   const Reports alone{&report};
-  return headline_cards(report) + notes_part(report) + heading("Convergence") + convergence_part(alone, data) +
-         "<details><summary>The steps in figures</summary>\n" + step_table(report) + "</details>\n" +
-         heading("Luminance and density") + run_maps(report, id, data) + heading("Sections") + section_part(alone, data) +
-         angular_part(alone, data) + energy_part(alone) + heading("How to repeat") + repeat_table(report) +
-         run_file_fold(report);
+  std::string steps;
+  if (report.steps.size() > 1) {
+    steps = heading("Convergence") + convergence_part(alone, data) +
+            "<details><summary>The steps in figures</summary>\n" + step_table(report) + "</details>\n";
+  }
+  return joined({headline_cards(report), notes_part(report), steps, heading("Luminance and density"),
+                 run_maps(report, id, data), heading("Sections"), section_part(alone, data), angular_part(alone, data),
+                 energy_part(alone), heading("How to repeat"), repeat_table(report), run_file_fold(report)});
 }
 
-std::string title_of(const std::string& title, const char* otherwise) { return title.empty() ? otherwise : title; }
+std::string title_of(const std::string& title, const char* otherwise) {
+  return title.empty() ? otherwise : title;
+}
 
 std::string top(const std::string& title, const std::string& subtitle) {
   return "<h1>" + html_escape(title) + "</h1>\n<p class=\"sub\">" + html_escape(subtitle) + "</p>\n";
@@ -122,7 +157,8 @@ std::string variant_maps(const Reports& reports, PageData& data) {
   std::string luminance_maps;
   std::string density_maps;
   for (const Report* r : reports) {
-    luminance_maps += map_figure(luminance_map(r->variant, r->luminance, &r->luminance_se, common_scale(luminance)), data);
+    luminance_maps +=
+        map_figure(luminance_map(r->variant, r->luminance, &r->luminance_se, common_scale(luminance)), data);
     density_maps += map_figure(density_map(r->variant, *r, common_scale(density)), data);
   }
   const std::string layout = reports.size() == 2 ? "two" : "three";
@@ -146,8 +182,11 @@ std::string variant_folds(const Reports& reports, PageData& data) {
 std::string report_html(const Report& report) {
   PageData data;
   const std::string title = title_of(report.title, "Backlight");
-  const std::string subtitle = (report.variant.empty() ? "" : report.variant + " \u00b7 ") + report.stop_reason +
-                               " \u00b7 Evenglow " + report.version;
+  std::string subtitle;
+  for (const std::string& part : {report.variant, report.stop_reason}) {
+    if (!part.empty()) subtitle += part + " \u00b7 ";
+  }
+  subtitle += "Evenglow " + report.version;
   const std::string body = top(title, subtitle) + run_body(report, "maps", data);
   return html_page(title, body, data.json());
 }
@@ -162,11 +201,11 @@ std::string report_html(const Comparison& comparison) {
   }
   const std::string title = title_of(comparison.title, "Comparison");
   const std::string version = comparison.variants.empty() ? "" : " \u00b7 Evenglow " + comparison.variants[0].version;
-  std::string body = top(title, "Designs side by side: " + names + version) + ratio_cards(comparison) +
-                     heading("Final figures") + final_table(reports) + variant_maps(reports, data) + heading("Sections") +
-                     section_part(reports, data) + angular_part(reports, data) + energy_part(reports) +
-                     heading("How to repeat") + "<pre>" + html_escape(comparison.command) + "</pre>\n" +
-                     variant_folds(reports, data);
+  const std::string body =
+      joined({top(title, "Designs side by side: " + names + version), ratio_cards(comparison), heading("Final figures"),
+              final_table(reports), variant_maps(reports, data), heading("Sections"), section_part(reports, data),
+              angular_part(reports, data), energy_part(reports), heading("How to repeat"), "<pre>",
+              html_escape(comparison.command), "</pre>\n", variant_folds(reports, data)});
   return html_page(title, body, data.json());
 }
 

@@ -6,8 +6,8 @@
 
 namespace evenglow::design {
 
-/// `report.html`: one file that needs no other and no network, for screen (light and dark) and paper. All text that comes
-/// from the user is escaped.
+/// `report.html`: one file that needs no other and no network, for screen (light and dark) and paper. All text that
+/// comes from the user is escaped.
 class HtmlWriter final : public ReportWriter {
  public:
   void write(const Report& report, const std::filesystem::path& directory) const override;

@@ -10,7 +10,9 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 /// Ill-formed UTF-8 (file names may hold it) is replaced, never a reason to fail at the end of a long run.
-std::string text_of(const Json& json) { return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n'; }
+std::string text_of(const Json& json) {
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+}
 
 Json steps_of(const Report& report) {
   Json steps = Json::array();
@@ -119,9 +121,9 @@ std::string comparison_json(const Comparison& comparison) {
   for (const Report& report : comparison.variants) variants[report.variant] = variant_of(report);
   Json ratios = Json::object();
   for (const VariantRatio& r : comparison.ratios) {
-    ratios[r.name] = {{"luminance", r.luminance.value},   {"luminance_se", r.luminance.se},
-                      {"flux", r.flux.value},             {"flux_se", r.flux.se},
-                      {"efficiency", r.efficiency.value}, {"efficiency_se", r.efficiency.se}};
+    ratios[r.name] = {
+        {"luminance", r.luminance.value}, {"luminance_se", r.luminance.se},   {"flux", r.flux.value},
+        {"flux_se", r.flux.se},           {"efficiency", r.efficiency.value}, {"efficiency_se", r.efficiency.se}};
   }
   return text_of({{"format", "evenglow-compare/1"},
                   {"version", comparison.variants.empty() ? "" : comparison.variants[0].version},

@@ -13,8 +13,12 @@ constexpr double room_right = 1.2;
 constexpr double room_top = 3.6;
 constexpr double room_bottom = 3.2;
 
-double size_x(const core::CellGrid& grid) { return grid.nx * grid.dx; }
-double size_y(const core::CellGrid& grid) { return grid.ny * grid.dy; }
+double size_x(const core::CellGrid& grid) {
+  return grid.nx * grid.dx;
+}
+double size_y(const core::CellGrid& grid) {
+  return grid.ny * grid.dy;
+}
 
 Box fit(const core::CellGrid& grid, const Box& box, double text_size) {
   const double width = std::max(box.width - (room_left + room_right) * text_size, 1.0);
@@ -69,7 +73,7 @@ Box draw_map(CairoDrawing& drawing, const MapPlot& map, const Box& box, double t
   const TextStyle title{1.15 * text_size, Align::left, Ink::text, true, false};
   const TextStyle caption{text_size, Align::left, Ink::muted, false, false};
   const Box area = fit(map.field->grid, box, text_size);
-  const double width = box.right() - area.left;
+  const double width = box.right() + map.text_room - area.left;
   const bool filled = is_filled(*map.field);
   drawing.text({area.left, box.top + 1.2 * text_size}, fitted(drawing, map.title, title, width), title);
   drawing.text({area.left, box.top + 2.8 * text_size},
@@ -92,7 +96,7 @@ void draw_color_bar(CairoDrawing& drawing, const ColorMap& colors, const ValueSc
     drawing.line({box.right(), y}, {box.right() + 0.35 * text_size, y}, {Ink::muted, text_size / 12});
     drawing.text({box.right() + 0.6 * text_size, y + 0.35 * text_size}, tick.label, style);
   }
-  drawing.text({box.left, box.top - 0.8 * text_size}, unit, style);
+  drawing.text({box.left, box.bottom() + 1.6 * text_size}, unit, style);
 }
 
 }  // namespace evenglow::design

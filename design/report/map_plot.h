@@ -15,6 +15,7 @@ struct MapPlot {
   const core::CellField* field = nullptr;
   ValueScale scale;
   const ColorMap* colors = nullptr;
+  double text_room = 0.0;  ///< px to the right of the box that title and caption may use
 };
 
 /// Room that a map takes at most in such a box, titles and axes included (px). The map touches one of the two limits.
@@ -28,7 +29,7 @@ PlotSize map_size(const core::CellField& field, const PlotSize& limits, double t
 /// remark.
 Box draw_map(CairoDrawing& drawing, const MapPlot& map, const Box& box, double text_size);
 
-/// A vertical color bar with ticks, `unit` above it. Ticks and unit take another 5 sizes of the text to the right.
+/// A vertical color bar with ticks, `unit` below it. Ticks and unit take another 5 sizes of the text to the right.
 void draw_color_bar(CairoDrawing& drawing, const ColorMap& colors, const ValueScale& scale, const std::string& unit,
                     const Box& box, double text_size);
 

@@ -1,9 +1,9 @@
 #include "design/report/number_format.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
+
+#include <fmt/format.h>
 
 namespace evenglow::design {
 namespace {
@@ -20,7 +20,9 @@ int decimals_of(double value, int digits) {
 
 }  // namespace
 
-std::string shortest(double value) { return fmt::format("{}", value); }
+std::string shortest(double value) {
+  return fmt::format("{}", value);
+}
 
 std::string rounded(double value, int digits) {
   if (!std::isfinite(value)) return no_value;
@@ -41,7 +43,9 @@ std::string measured(const core::Estimate& estimate, double scale) {
   return fmt::format("{:.{}f} ± {:.{}f}", value, decimals, se, decimals);
 }
 
-std::string percent(const core::Estimate& fraction) { return measured(fraction, 100.0) + no_break_space + "%"; }
+std::string percent(const core::Estimate& fraction) {
+  return measured(fraction, 100.0) + no_break_space + "%";
+}
 
 std::string grouped(unsigned long long count) {
   std::string digits = std::to_string(count);

@@ -1,18 +1,20 @@
 #include "design/report/page_data.h"
 
-#include <fmt/format.h>
-
 #include <cmath>
+
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "design/report/color_map.h"
-#include "design/report/value_scale.h"
 #include "design/report/text_escape.h"
+#include "design/report/value_scale.h"
 
 namespace evenglow::design {
 namespace {
 
-std::string number(double value) { return std::isfinite(value) ? fmt::format("{:.5g}", value) : "null"; }
+std::string number(double value) {
+  return std::isfinite(value) ? fmt::format("{:.5g}", value) : "null";
+}
 
 template <typename Values, typename Get>
 std::string list(const Values& values, Get&& get) {
@@ -45,14 +47,14 @@ std::string PageData::add_map(const core::CellField& field, const core::CellFiel
   const core::CellGrid& g = field.grid;
   const bool with_se = se != nullptr && se->grid == g && is_filled(*se);
   return add(fmt::format(
-      R"({{"nx":{},"ny":{},"x0":{},"y0":{},"dx":{},"dy":{},"unit":{},"colors":{},"scale":[{},{}],"v":{},"s":{}}})", g.nx,
-      g.ny, g.x0, g.y0, g.dx, g.dy, json_string(unit), json_string(colors), scale.low, scale.high, list(field.values),
-      with_se ? list(se->values) : "[]"));
+      R"({{"nx":{},"ny":{},"x0":{},"y0":{},"dx":{},"dy":{},"unit":{},"colors":{},"scale":[{},{}],"v":{},"s":{}}})",
+      g.nx, g.ny, g.x0, g.y0, g.dx, g.dy, json_string(unit), json_string(colors), scale.low, scale.high,
+      list(field.values), with_se ? list(se->values) : "[]"));
 }
 
-std::string PageData::add_polar(const AngularLuminance& angular, std::string_view unit) {
-  return add(fmt::format(R"({{"polar":{},"azimuths":{},"unit":{},"colors":"luminance","v":{},"s":{}}})",
-                         list(angular.polar_deg), angular.azimuth_count, json_string(unit),
+std::string PageData::add_polar(const AngularLuminance& angular, std::string_view unit, double top) {
+  return add(fmt::format(R"({{"polar":{},"azimuths":{},"unit":{},"colors":"luminance","top":{},"v":{},"s":{}}})",
+                         list(angular.polar_deg), angular.azimuth_count, json_string(unit), top,
                          list(angular.luminance, [](const core::Estimate& e) { return e.value; }),
                          list(angular.luminance, [](const core::Estimate& e) { return e.se; })));
 }
@@ -64,14 +66,14 @@ std::string PageData::add_curves(const CurvePlot& plot, const PlotFrame& frame, 
     curves += fmt::format(R"({{"n":{},"x":{},"y":{},"s":{}}})", json_string(curve.name), list(curve.x), list(curve.y),
                           list(curve.se));
   }
-  return add(fmt::format(R"({{"x":{},"area":[{:.4f},{:.4f}],"range":[{},{}],"curves":[{}]}})", json_string(plot.x_label),
-                         frame.area.left / picture_width, frame.area.right() / picture_width, frame.x.range.low,
-                         frame.x.range.high, curves));
+  return add(fmt::format(R"({{"x":{},"area":[{:.4f},{:.4f}],"range":[{},{}],"curves":[{}]}})",
+                         json_string(plot.x_label), frame.area.left / picture_width, frame.area.right() / picture_width,
+                         frame.x.range.low, frame.x.range.high, curves));
 }
 
 std::string PageData::json() const {
-  return script_safe(fmt::format("{{\"colors\":{{\"luminance\":\"{}\",\"density\":\"{}\"}}{}}}", ColorMap::luminance().hex(),
-                                 ColorMap::density().hex(), objects_));
+  return script_safe(fmt::format("{{\"colors\":{{\"luminance\":\"{}\",\"density\":\"{}\"}}{}}}",
+                                 ColorMap::luminance().hex(), ColorMap::density().hex(), objects_));
 }
 
 }  // namespace evenglow::design

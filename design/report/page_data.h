@@ -16,8 +16,8 @@ class PageData {
   /// A map with its standard errors (or null) and the scale of its colors; gives its name for `data-map`.
   std::string add_map(const core::CellField& field, const core::CellField* se, std::string_view unit,
                       std::string_view colors, const ValueScale& scale);
-  /// A distribution over directions, for `data-polar`.
-  std::string add_polar(const AngularLuminance& angular, std::string_view unit);
+  /// A distribution over directions with the value at the upper end of its colors (the lower is 0), for `data-polar`.
+  std::string add_polar(const AngularLuminance& angular, std::string_view unit, double top);
   /// Curves with the place of their axes, as shares of the picture's width, for `data-curves`.
   std::string add_curves(const CurvePlot& plot, const PlotFrame& frame, double picture_width);
 

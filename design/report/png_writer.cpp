@@ -11,12 +11,14 @@
 namespace evenglow::design {
 namespace {
 
-constexpr double text_size = 26.0;    ///< px
-constexpr double bar_width = 36.0;    ///< px, of a color bar
-constexpr double bar_room = 7.5 * text_size;  ///< px, with its ticks and unit
+constexpr double text_size = 26.0;            ///< px
+constexpr double bar_width = 36.0;            ///< px, of a color bar
+constexpr double bar_room = 8.0 * text_size;  ///< px, with its ticks and unit
 constexpr const char* luminance_unit = "cd/m\u00b2";
 
-int pixels(double length) { return static_cast<int>(std::ceil(length)); }
+int pixels(double length) {
+  return static_cast<int>(std::ceil(length));
+}
 
 std::string range_text(const core::CellField& field) {
   const FieldSummary summary = summarize(field);
@@ -39,15 +41,18 @@ std::string titled(const Report& report, const std::string& quantity) {
 
 /// A bar as high as the map beside it, if that is high enough for ticks.
 Box bar_beside(const Box& area, double right) {
-  return {right + 0.6 * text_size, area.top, bar_width, std::max(area.height, 5.0 * text_size)};
+  return {right + 1.5 * text_size, area.top, bar_width, std::max(area.height, 5.0 * text_size)};
 }
 
-void write_map(const MapPlot& map, const std::string& unit, const std::filesystem::path& path) {
+void write_map(MapPlot map, const std::string& unit, const std::filesystem::path& path) {
   const PlotSize size = map_size(*map.field, {1600.0 - bar_room, 1200.0}, text_size);
   const double map_width = std::max(size.width, 900.0 - bar_room);
   CairoDrawing drawing(pixels(map_width + bar_room), pixels(std::max(size.height, 13.0 * text_size)));
+  map.text_room = bar_room - text_size;
   const Box area = draw_map(drawing, map, {0, 0.2 * text_size, map_width, size.height}, text_size);
-  draw_color_bar(drawing, *map.colors, map.scale, unit, bar_beside(area, area.right()), text_size);
+  if (is_filled(*map.field)) {
+    draw_color_bar(drawing, *map.colors, map.scale, unit, bar_beside(area, area.right()), text_size);
+  }
   drawing.save(path);
 }
 
@@ -83,7 +88,7 @@ class MapTable {
       if (i == 0) first = area;
     }
     const double right = static_cast<double>(columns()) * cell_.width;
-    draw_color_bar(drawing, *maps_[0].colors, maps_[0].scale, unit_, bar_beside(first, right), text_size);
+    draw_color_bar(drawing, *maps_[0].colors, maps_[0].scale, unit_, bar_beside(first, right - text_size), text_size);
   }
 
  private:
@@ -99,10 +104,10 @@ MapTable luminance_table(const std::vector<Report>& variants) {
   for (const Report& report : variants) fields.push_back(&report.luminance);
   std::vector<MapPlot> maps;
   for (const Report& report : variants) {
-    const std::string caption = measured(report.final.luminance_mean) + " " + luminance_unit + ", RMS " +
-                                percent(report.final.rms_corrected);
-    maps.push_back({"Luminance: " + report.variant, caption, &report.luminance, common_scale(fields),
-                    &ColorMap::luminance()});
+    const std::string caption =
+        measured(report.final.luminance_mean) + " " + luminance_unit + ", RMS " + percent(report.final.rms_corrected);
+    maps.push_back(
+        {"Luminance: " + report.variant, caption, &report.luminance, common_scale(fields), &ColorMap::luminance()});
   }
   return {std::move(maps), luminance_unit};
 }

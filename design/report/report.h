@@ -24,15 +24,15 @@ struct Timing {
 struct Report {
   std::string version;
   std::string title;
-  std::string variant;           ///< name within a comparison; empty for a single run
-  std::string command;           ///< the command line that repeats the run, paths as given by the user
-  std::string run_file_text;     ///< as read
-  std::string run_file_sha256;   ///< lower-case hex
+  std::string variant;                 ///< name within a comparison; empty for a single run
+  std::string command;                 ///< the command line that repeats the run, paths as given by the user
+  std::string run_file_text;           ///< as read
+  std::string run_file_sha256;         ///< lower-case hex
   std::vector<std::string> overrides;  ///< `key=value` of --set and of the variant
   std::uint64_t seed = 0;
   int threads = 1;
   int ranks = 1;
-  std::string stop_reason;       ///< one sentence; of `simulate`: "single trace"
+  std::string stop_reason;          ///< one sentence; of `simulate`: "single trace"
   std::string luminance_estimator;  ///< one sentence: how the luminance was estimated
   std::vector<StepRecord> steps;    ///< of `simulate`: one
   FinalJudgment final;
@@ -44,7 +44,7 @@ struct Report {
   double density_max = 1.0;
   EnergyAccount energy;
   std::optional<AngularLuminance> angular;
-  std::vector<std::string> notes;   ///< remarks for the reader (limits that bind, assumptions of film data)
+  std::vector<std::string> notes;  ///< remarks for the reader (limits that bind, assumptions of film data)
   Timing timing;
 };
 
@@ -52,7 +52,7 @@ struct Report {
 struct VariantRatio {
   std::string name;  ///< "dbef/lpp"
   core::Estimate luminance;
-  core::Estimate flux;        ///< flux out of the top
+  core::Estimate flux;  ///< flux out of the top
   core::Estimate efficiency;
 };
 

@@ -102,8 +102,13 @@ Curve section_curve(const core::CellField& field, const core::CellField* se, Sec
 
 CurvePlot luminance_section(const std::vector<const Report*>& reports, SectionDirection direction) {
   const bool along_x = direction == SectionDirection::along_x;
-  CurvePlot plot{along_x ? "Along x, through the center" : "Along y, through the center", along_x ? "x (mm)" : "y (mm)",
-                 "luminance (cd/m\u00b2)", false, false, false, {}};
+  CurvePlot plot{along_x ? "Along x, through the center" : "Along y, through the center",
+                 along_x ? "x (mm)" : "y (mm)",
+                 "luminance (cd/m\u00b2)",
+                 false,
+                 false,
+                 false,
+                 {}};
   for (std::size_t i = 0; i < reports.size(); ++i) {
     const Report& report = *reports[i];
     if (reports.size() == 1 && report.steps.size() > 1 && is_filled(report.start_luminance)) {
@@ -139,8 +144,13 @@ core::Estimate luminance_towards(const AngularLuminance& angular, std::size_t po
 CurvePlot angular_section(const std::vector<const Report*>& reports, SectionDirection direction) {
   const bool along_x = direction == SectionDirection::along_x;
   const double azimuth = along_x ? 0.0 : 90.0;
-  CurvePlot plot{along_x ? "In the plane of x" : "In the plane of y", "angle of view (\u00b0)", "luminance (cd/m\u00b2)",
-                 false, false, true, {}};
+  CurvePlot plot{along_x ? "In the plane of x" : "In the plane of y",
+                 "angle of view (\u00b0)",
+                 "luminance (cd/m\u00b2)",
+                 false,
+                 false,
+                 true,
+                 {}};
   for (std::size_t i = 0; i < reports.size(); ++i) {
     if (!reports[i]->angular) continue;
     const AngularLuminance& angular = *reports[i]->angular;

@@ -1,8 +1,8 @@
 #include "design/report/svg_drawing.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
+
+#include <fmt/format.h>
 
 #include "design/report/text_escape.h"
 
@@ -59,9 +59,10 @@ void SvgDrawing::mark(Point center, double radius, Mark shape, Ink ink) {
 
 void SvgDrawing::text(Point at, std::string_view text, const TextStyle& style) {
   const std::string turn = style.upwards ? fmt::format(" transform=\"rotate(-90 {:.1f} {:.1f})\"", at.x, at.y) : "";
-  body_ += fmt::format("<text class=\"fi i-{}\" x=\"{:.1f}\" y=\"{:.1f}\" font-size=\"{}\" text-anchor=\"{}\"{}{}>{}</text>\n",
-                       ink_class(style.ink), at.x, at.y, style.size, anchor(style.align),
-                       style.bold ? " font-weight=\"600\"" : "", turn, html_escape(text));
+  body_ += fmt::format(
+      "<text class=\"fi i-{}\" x=\"{:.1f}\" y=\"{:.1f}\" font-size=\"{}\" text-anchor=\"{}\"{}{}>{}</text>\n",
+      ink_class(style.ink), at.x, at.y, style.size, anchor(style.align), style.bold ? " font-weight=\"600\"" : "", turn,
+      html_escape(text));
 }
 
 double SvgDrawing::text_width(std::string_view text, const TextStyle& style) const {

@@ -6,7 +6,9 @@
 namespace evenglow::design {
 namespace {
 
-bool is_continuation(unsigned char byte) { return (byte & 0xC0U) == 0x80U; }
+bool is_continuation(unsigned char byte) {
+  return (byte & 0xC0U) == 0x80U;
+}
 
 /// Length of the well-formed UTF-8 character at the front (Unicode 15, table 3-7), 0 if there is none.
 std::size_t character_length(std::string_view text) {
@@ -69,12 +71,18 @@ std::string clean_utf8(std::string_view text) {
 std::string html_escape(std::string_view text) {
   return replaced(clean_utf8(text), [](char c) -> std::string_view {
     switch (c) {
-      case '&': return "&amp;";
-      case '<': return "&lt;";
-      case '>': return "&gt;";
-      case '"': return "&quot;";
-      case '\'': return "&#39;";
-      default: return {};
+      case '&':
+        return "&amp;";
+      case '<':
+        return "&lt;";
+      case '>':
+        return "&gt;";
+      case '"':
+        return "&quot;";
+      case '\'':
+        return "&#39;";
+      default:
+        return {};
     }
   });
 }
@@ -94,7 +102,8 @@ std::string csv_field(std::string_view text) {
 
 std::string one_line(std::string_view text) {
   std::string result(text);
-  std::replace_if(result.begin(), result.end(), [](char c) { return c == '\n' || c == '\r' || c == '\t'; }, ' ');
+  std::replace_if(
+      result.begin(), result.end(), [](char c) { return c == '\n' || c == '\r' || c == '\t'; }, ' ');
   return result;
 }
 

@@ -50,7 +50,8 @@ std::vector<std::string> output_formats() {
   return names;
 }
 
-void write_report(const Report& report, const std::vector<std::string>& formats, const std::filesystem::path& directory) {
+void write_report(const Report& report, const std::vector<std::string>& formats,
+                  const std::filesystem::path& directory) {
   write_all(report, formats, directory);
 }
 

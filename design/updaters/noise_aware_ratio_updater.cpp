@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <vector>
 
 #include "design/updaters/ratio_updater.h"
@@ -11,9 +12,11 @@ namespace {
 
 using core::CellField;
 
-constexpr double kScales[] = {0.7, 1.4, 2.8, 5.6};  // cells
+// Gaussians that bound the bands, in cells; 0 is the field itself.
+constexpr double kScales[] = {0.0, 0.7, 1.4, 2.8, 5.6, 11.2};
+constexpr int kBands = static_cast<int>(std::size(kScales));
 constexpr double kLambda = 2.0;
-// Windows of the local energies, in units of the band's scale: wide enough that noise alone hardly ever passes lambda.
+// Windows of the local energies, in units of a band's scale: wide enough that noise alone hardly ever passes lambda.
 constexpr double kSignalWindow = 4.0;
 constexpr double kNoiseWindow = 8.0;
 constexpr double kLocalScale = 1.5;  // cells, of the local mean luminance
@@ -30,12 +33,32 @@ CellField squared(CellField field) {
   return field;
 }
 
-/// The share of a band that stands out of its noise.
-void shrink(CellField& band, const CellField& noise_band, double scale) {
-  const CellField energy = core::smooth_gaussian(squared(band), kSignalWindow * scale);
-  const CellField noise = core::smooth_gaussian(squared(noise_band), kNoiseWindow * scale);
-  for (std::size_t i = 0; i < band.values.size(); ++i) {
-    band.values[i] *= energy.values[i] > 0.0 ? std::max(0.0, 1.0 - kLambda * noise.values[i] / energy.values[i]) : 0.0;
+/// Band `i` in x: between the scales i and i + 1; the last band holds all that is coarser.
+CellField band_x(const CellField& field, int i) {
+  CellField fine = core::smooth_gaussian(field, kScales[i], 0.0);
+  return i + 1 < kBands ? difference(fine, core::smooth_gaussian(field, kScales[i + 1], 0.0)) : fine;
+}
+
+CellField band_y(const CellField& field, int i) {
+  CellField fine = core::smooth_gaussian(field, 0.0, kScales[i]);
+  return i + 1 < kBands ? difference(fine, core::smooth_gaussian(field, 0.0, kScales[i + 1])) : fine;
+}
+
+/// The width that the details of a band have.
+double scale_of(int band) {
+  return kScales[std::min(band + 1, kBands - 1)];
+}
+
+/// Adds the share of the band (i, j) that stands out of its noise.
+void add_significant(const CellField& band, const CellField& noise_band, int i, int j, CellField& result) {
+  const auto energy_of = [&](const CellField& field, double window) {
+    return core::smooth_gaussian(squared(field), window * scale_of(i), window * scale_of(j));
+  };
+  const CellField energy = energy_of(band, kSignalWindow);
+  const CellField noise = energy_of(noise_band, kNoiseWindow);
+  for (std::size_t k = 0; k < result.values.size(); ++k) {
+    if (energy.values[k] <= 0.0) continue;
+    result.values[k] += band.values[k] * std::max(0.0, 1.0 - kLambda * noise.values[k] / energy.values[k]);
   }
 }
 
@@ -86,18 +109,19 @@ class NoiseAwareRatioUpdater final : public Updater {
 
 CellField denoise(const CellField& field, const CellField& noise) {
   CellField result(field.grid, 0.0);
-  CellField fine = field;
-  CellField fine_noise = noise;
-  for (const double scale : kScales) {
-    CellField coarse = core::smooth_gaussian(field, scale);
-    CellField band = difference(fine, coarse);
-    CellField coarse_noise = core::smooth_gaussian(noise, scale);
-    shrink(band, difference(fine_noise, coarse_noise), scale);
-    for (std::size_t i = 0; i < result.values.size(); ++i) result.values[i] += band.values[i];
-    fine = std::move(coarse);
-    fine_noise = std::move(coarse_noise);
+  for (int i = 0; i < kBands; ++i) {
+    const CellField field_x = band_x(field, i);
+    const CellField noise_x = band_x(noise, i);
+    for (int j = 0; j < kBands; ++j) {
+      const CellField band = band_y(field_x, j);
+      const bool coarsest = i + 1 == kBands && j + 1 == kBands;
+      if (coarsest) {
+        for (std::size_t k = 0; k < result.values.size(); ++k) result.values[k] += band.values[k];
+      } else {
+        add_significant(band, band_y(noise_x, j), i, j, result);
+      }
+    }
   }
-  for (std::size_t i = 0; i < result.values.size(); ++i) result.values[i] += fine.values[i];
   return result;
 }
 

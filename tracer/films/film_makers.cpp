@@ -1,8 +1,8 @@
 #include "tracer/films/film_makers.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
+
+#include <fmt/format.h>
 
 #include "core/base/units.h"
 #include "tracer/films/dbef.h"

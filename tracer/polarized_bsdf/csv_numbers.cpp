@@ -132,6 +132,7 @@ class CsvParser {
   double entry_value(std::size_t i) {
     const CsvColumn& column = columns_[order_[i]];
     const std::string_view text = entries_[i].text;
+    if (text.empty() && column.may_be_empty) return kAbsent;
     if (!column.words.empty()) {
       const auto word = std::ranges::find(column.words, text);
       if (word != column.words.end()) return static_cast<double>(word - column.words.begin());

@@ -24,6 +24,7 @@ struct CsvColumn {
   bool max_open = false;
   bool required = true;
   std::vector<std::string_view> words{};  ///< not empty: the column holds words, its value is the index of the word
+  bool may_be_empty = false;              ///< an empty entry is allowed and reads as NaN
 };
 
 /// A CSV file of numbers: lines that begin with '#' are comments, the first other line names the columns (any order),

@@ -26,4 +26,23 @@ inline double full_angle(double y, double x) {
   return angle < 0.0 ? angle + 6.283185307179586 : angle;
 }
 
+/// Angles of an outgoing direction as the table counts them, rad.
+struct AxisDirection {
+  double phi = 0.0, theta = 0.0;
+};
+
+/// The direction at (u, phi') of an incidence of polar angle `sigma` (rad).
+inline AxisDirection seen_from_axis(double sigma, double u, double phi) {
+  const double s = std::sin(sigma);
+  const double c = std::cos(sigma);
+  const double way = u * u * horizon_distance(s, c * c, std::cos(phi), std::sin(phi));
+  if (way == 0.0) return {phi, 0.0};
+  const double x = s + way * std::cos(phi);
+  const double y = way * std::sin(phi);
+  const double z = std::sqrt(std::max(0.0, 1.0 - x * x - y * y));
+  // Parts along the axis (s, 0, c), along (c, 0, -s) and along y.
+  const double in_plane = c * x - s * z;
+  return {std::atan2(y, in_plane), std::atan2(std::hypot(in_plane, y), s * x + c * z)};
+}
+
 }  // namespace evenglow::tracer

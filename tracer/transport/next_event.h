@@ -14,6 +14,10 @@ class NextEvent {
  public:
   explicit NextEvent(const Scene& scene);
 
+  /// Directions of view drawn at each scatter: what they cost is small beside the walk, and where the lobe of the film is about as wide as
+  /// the cone they take out most of the spread that one direction has.
+  static constexpr int kDirections = 4;
+
   /// Score (1/sr) and bin for light that meets the scatterer `surface` at `position`; the direction of view is drawn
   /// from the receiver's cone with density ~ cos. Empty: outside the active area, or nothing goes there.
   /// `light` is in the surface's frame, which for films is that of the backlight.

@@ -32,14 +32,19 @@ void renormalize(core::PolarizationFrame& frame) {
 
 void PhotonHistory::run(const core::RandomKey& key, std::uint64_t photon_index, BatchSums& sums) const {
   core::PhotonRng rng(key, photon_index);
-  Walk walk;
-  walk.photon = emit(rng);
-  walk.optical_depth = -std::log(rng.uniform());
+  Walk walk = start(rng);
   for (int events = 0; events < kMaxEvents; ++events) {
     sums.events[0] += 1.0;
     if (!step(walk, rng, sums)) return;
   }
   sums.energy[scene_.energy.lost_bin(LossReason::kStuck)] += 1.0;
+}
+
+PhotonHistory::Walk PhotonHistory::start(core::PhotonRng& rng) const {
+  Walk walk;
+  walk.photon = emit(rng);
+  walk.optical_depth = -std::log(rng.uniform());
+  return walk;
 }
 
 Photon PhotonHistory::emit(core::PhotonRng& rng) const {
@@ -129,8 +134,10 @@ bool PhotonHistory::step(Walk& walk, core::PhotonRng& rng, BatchSums& sums) cons
   StokesVector light = photon.light;
   turn(light, to_local(surface, light.frame.k), to_local(surface, light.frame.e1));
   if (surface.is_viewed_scatterer) {
-    if (const auto score = next_event_.score(*encounter.optics, light, hit.position, rng)) {
-      sums.luminance[score->bin] += score->weight;
+    for (int i = 0; i < NextEvent::kDirections; ++i) {
+      if (const auto score = next_event_.score(*encounter.optics, light, hit.position, rng)) {
+        sums.luminance[score->bin] += score->weight / NextEvent::kDirections;
+      }
     }
   }
   const double k_before = light.frame.k.z();

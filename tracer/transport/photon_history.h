@@ -18,6 +18,17 @@ class PhotonHistory {
   /// Traces the photon with this index and adds what it does to `sums`.
   void run(const core::RandomKey& key, std::uint64_t photon_index, BatchSums& sums) const;
 
+  /// A photon between two events.
+  struct Walk {
+    Photon photon;
+    double optical_depth = 0.0;  ///< left until bulk absorption
+    bool estimated = false;      ///< the last event was a scatter whose way out was estimated
+  };
+  /// A photon as it leaves its source.
+  Walk start(core::PhotonRng& rng) const;
+  /// One flight and one interaction, added to `sums`; false: the history has ended.
+  bool step(Walk& walk, core::PhotonRng& rng, BatchSums& sums) const;
+
   /// More events than this end a history as stuck.
   static constexpr int kMaxEvents = 1000000;
 
@@ -26,11 +37,6 @@ class PhotonHistory {
   struct Encounter {
     const Bsdf* optics = nullptr;
     int part = 0;
-  };
-  struct Walk {
-    Photon photon;
-    double optical_depth = 0.0;  ///< left until bulk absorption
-    bool estimated = false;      ///< the last event was a scatter whose way out was estimated
   };
 
   Photon emit(core::PhotonRng& rng) const;
@@ -41,8 +47,6 @@ class PhotonHistory {
   bool can_meet(const Photon& photon, int quad) const;
   bool consistent(const Photon& photon, const RayHit& hit) const;
   Encounter meet(const Surface& surface, const core::Vec3& position, core::PhotonRng& rng) const;
-  /// One flight and one interaction; false: the history has ended.
-  bool step(Walk& walk, core::PhotonRng& rng, BatchSums& sums) const;
   void escape(const Walk& walk, BatchSums& sums) const;
 
   const Scene& scene_;

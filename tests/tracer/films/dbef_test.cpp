@@ -1,8 +1,8 @@
 #include "tracer/films/dbef.h"
 
-#include <gtest/gtest.h>
-
 #include <cstdio>
+
+#include <gtest/gtest.h>
 
 #include "core/base/error.h"
 #include "tests/support/film_bins.h"

@@ -1,0 +1,2 @@
+#include <benchmark/benchmark.h>
+int main(int c, char** v) { benchmark::Initialize(&c, v); benchmark::RunSpecifiedBenchmarks(); }

@@ -1,0 +1,101 @@
+#include <benchmark/benchmark.h>
+
+
+#include "bench/cpu_time.h"
+#include "bench/yardstick.h"
+#include "tracer/transport/photon_history.h"
+
+namespace evenglow::bench {
+namespace {
+
+constexpr std::uint64_t kPhotons = 500;  // of one slice, some milliseconds
+
+/// The walk as the tracer runs it.
+struct WholePhotons {
+  void operator()(const tracer::PhotonHistory& history, std::uint64_t photon, tracer::BatchSums& sums) const {
+    history.run({}, photon, sums);
+  }
+};
+
+/// Event by event; `kPolarized` false: the polarization is forgotten after each event.
+template <bool kPolarized>
+struct EventByEvent {
+  void operator()(const tracer::PhotonHistory& history, std::uint64_t photon, tracer::BatchSums& sums) const {
+    core::PhotonRng rng({}, photon);
+    auto walk = history.start(rng);
+    bool goes_on = true;
+    while (goes_on) {
+      sums.events[0] += 1.0;
+      goes_on = history.step(walk, rng, sums);
+      if constexpr (!kPolarized) walk.photon.light.Q = walk.photon.light.U = walk.photon.light.V = 0.0;
+    }
+  }
+};
+
+/// Photons of one scene, traced slice by slice.
+template <typename OnePhoton>
+class Walker {
+ public:
+  explicit Walker(const BenchScene& bench) : history_(bench.scene, bench.density), sums_(bench.scene) {}
+
+  void slice() {
+    seconds_ += cpu_seconds_of([&] {
+      for (std::uint64_t i = 0; i < kPhotons; ++i) OnePhoton()(history_, photons_ + i, sums_);
+    });
+    photons_ += kPhotons;
+  }
+  double seconds_per_event() const { return seconds_ / sums_.events[0]; }
+  double seconds_per_photon() const { return seconds_ / static_cast<double>(photons_); }
+  double events_per_photon() const { return sums_.events[0] / static_cast<double>(photons_); }
+
+ private:
+  tracer::PhotonHistory history_;
+  tracer::BatchSums sums_;
+  std::uint64_t photons_ = 0;
+  double seconds_ = 0.0;
+};
+
+void walk(benchmark::State& state, MeasuredScene& scene) {
+  Walker<WholePhotons> walker(scene.bench);
+  scene.yardstick.reset();
+  for (auto _ : state) {
+    walker.slice();
+    scene.yardstick.measure();
+  }
+  state.counters["R_ns"] = 1e9 * scene.yardstick.seconds();
+  state.counters["event_ns"] = 1e9 * walker.seconds_per_event();
+  state.counters["event_per_R"] = walker.seconds_per_event() / scene.yardstick.seconds();
+  state.counters["photons_per_s"] = 1.0 / walker.seconds_per_photon();
+  state.counters["events_per_photon"] = walker.events_per_photon();
+}
+
+void polarization(benchmark::State& state, MeasuredScene& scene) {
+  Walker<EventByEvent<true>> polarized(scene.bench);
+  Walker<EventByEvent<false>> unpolarized(scene.bench);
+  for (auto _ : state) {
+    polarized.slice();
+    unpolarized.slice();
+  }
+  state.counters["polarized_per_unpolarized"] = polarized.seconds_per_event() / unpolarized.seconds_per_event();
+}
+
+void slab_walk(benchmark::State& state) {
+  walk(state, measured_slab());
+}
+void film_walk(benchmark::State& state) {
+  walk(state, measured_films());
+}
+void slab_polarization(benchmark::State& state) {
+  polarization(state, measured_slab());
+}
+void film_polarization(benchmark::State& state) {
+  polarization(state, measured_films());
+}
+
+BENCHMARK(slab_walk)->Repetitions(7)->Unit(benchmark::kMillisecond);
+BENCHMARK(film_walk)->Repetitions(7)->Unit(benchmark::kMillisecond);
+BENCHMARK(slab_polarization)->Repetitions(7)->Unit(benchmark::kMillisecond);
+BENCHMARK(film_polarization)->Repetitions(7)->Unit(benchmark::kMillisecond);
+
+}  // namespace
+}  // namespace evenglow::bench
