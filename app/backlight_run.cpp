@@ -1,14 +1,18 @@
 #include "app/backlight_run.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <chrono>
+#include <fstream>
+#include <sstream>
 #include <utility>
 
+#include <fmt/core.h>
+
+#include "core/base/error.h"
 #include "core/base/sha256.h"
 #include "core/base/units.h"
 #include "core/base/version.h"
+#include "core/config/message_text.h"
 #include "core/montecarlo/batches.h"
 #include "design/engine/checkpoint.h"
 #include "design/engine/design_loop.h"
@@ -28,12 +32,14 @@ struct Stopwatch {
 };
 
 std::string estimator_text(const tracer::LuminanceReceiverSpec& luminance) {
-  const std::string cone = fmt::format("a cone of {:.3g} degrees (half angle) about the normal", luminance.cone / core::kRadPerDeg);
+  const std::string cone =
+      fmt::format("a cone of {:.3g} degrees (half angle) about the normal", luminance.cone / core::kRadPerDeg);
   if (luminance.estimator == tracer::LuminanceEstimator::kCounting) {
     return "Mean luminance in " + cone + ", by counting the photons that leave within it.";
   }
   return "Mean luminance in " + cone +
-         ", as the expected value at each scatter in the topmost scattering film (next-event estimate); light that passes "
+         ", as the expected value at each scatter in the topmost scattering film (next-event estimate); light that "
+         "passes "
          "that film straight is counted.";
 }
 
@@ -95,16 +101,34 @@ std::string label(const Run& run, const std::string& text) {
   return run.variant.empty() ? text : run.variant + ": " + text;
 }
 
+std::string sha256_of_file(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  std::ostringstream text;
+  text << in.rdbuf();
+  return core::sha256_hex(text.str());
+}
+
 /// Everything that the bits of a design depend on.
 std::string identity(const Run& run, std::uint32_t stream) {
   std::string text = std::string(core::version()) + '\n' + std::to_string(stream) + '\n' + run.file_text;
   for (const std::string& change : run.overrides) text += '\n' + change;
+  for (const auto& file : run.data_files) text += '\n' + sha256_of_file(file);
   return core::sha256_hex(text);
+}
+
+/// The state to go on from; none if there is no checkpoint.
+std::optional<design::DesignProgress> load_state(const Run& run, const RunContext& context) {
+  try {
+    return design::load_checkpoint(context.checkpoint, identity(run, context.stream));
+  } catch (const core::Error& error) {
+    throw core::ConfigError(
+        core::Fault{"--resume", 0, 0, "", core::one_line(error.what()) + " (--overwrite begins anew)"});
+  }
 }
 
 design::DesignProgress begin_design(const Run& run, const design::DesignLimits& limits, const RunContext& context) {
   if (context.options.resume) {
-    if (auto saved = design::load_checkpoint(context.checkpoint, identity(run, context.stream))) {
+    if (auto saved = load_state(run, context)) {
       context.progress.line(label(run, fmt::format("resumed after step {}", saved->steps.back().step)));
       return std::move(*saved);
     }
@@ -139,7 +163,8 @@ std::optional<Report> run_design_job(Run run, const RunContext& context) {
   limits.largest_photons = run.trace.photons;
   const auto cells = static_cast<std::uint64_t>(run.backlight.luminance.cells.size());
   limits.first_photons = run.design.first_photons > 0 ? run.design.first_photons : 50 * cells;
-  limits.first_photons = std::min(tracer::whole_batches(limits.first_photons, run.trace.batches), limits.largest_photons);
+  limits.first_photons =
+      std::min(tracer::whole_batches(limits.first_photons, run.trace.batches), limits.largest_photons);
   design::DesignProgress progress = begin_design(run, limits, context);
   const std::string run_identity = identity(run, context.stream);
   const tracer::Scene scene = tracer::compile_scene(std::move(run.backlight));
@@ -171,12 +196,13 @@ void print_result(const Report& report, const std::filesystem::path& directory) 
   const design::FinalJudgment& f = report.final;
   fmt::print("{}{}\n", report.title, report.variant.empty() ? "" : " (" + report.variant + ")");
   fmt::print("  stop                 {}\n", report.stop_reason);
-  fmt::print("  RMS non-uniformity   {:.2f} +- {:.2f} % (noise taken off; {:.2f} % with it)\n", 100.0 * f.rms_corrected.value,
-             100.0 * f.rms_corrected.se, 100.0 * f.rms);
+  fmt::print("  RMS non-uniformity   {:.2f} +- {:.2f} % (noise taken off; {:.2f} % with it)\n",
+             100.0 * f.rms_corrected.value, 100.0 * f.rms_corrected.se, 100.0 * f.rms);
   fmt::print("  mean luminance       {:.1f} +- {:.1f} cd/m2\n", f.luminance_mean.value, f.luminance_mean.se);
   fmt::print("  efficiency           {:.2f} +- {:.2f} %\n", 100.0 * f.efficiency.value, 100.0 * f.efficiency.se);
   fmt::print("  uniformity 9 / 13    {:.3f} / {:.3f}\n", f.uniformity_9, f.uniformity_13);
-  fmt::print("  photons, time        {:.3g} in the final trace, {:.1f} s in all\n", static_cast<double>(f.photons), report.timing.wall_s);
+  fmt::print("  photons, time        {:.3g} in the final trace, {:.1f} s in all\n", static_cast<double>(f.photons),
+             report.timing.wall_s);
   fmt::print("  files                {}\n", directory.string());
 }
 

@@ -18,8 +18,8 @@ struct RunContext {
   const Options& options;
   Progress& progress;
   std::stop_token stop;
-  std::string command;              ///< repeats the run
-  std::uint32_t stream = 0;         ///< number of the variant
+  std::string command;                 ///< repeats the run
+  std::uint32_t stream = 0;            ///< number of the variant
   std::filesystem::path checkpoint{};  ///< of a design
 };
 

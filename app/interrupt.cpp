@@ -1,9 +1,9 @@
 #include "app/interrupt.h"
 
-#include <unistd.h>
-
 #include <csignal>
 #include <ctime>
+
+#include <unistd.h>
 
 #include "app/options.h"
 
@@ -37,7 +37,11 @@ InterruptGuard::InterruptGuard() {
 InterruptGuard::~InterruptGuard() {
   waiter_.request_stop();
   waiter_.join();
+  // A signal that comes too late to stop anything must not end the program by its default action.
   const sigset_t set = interrupts();
+  const timespec none{0, 0};
+  while (sigtimedwait(&set, nullptr, &none) > 0) {
+  }
   pthread_sigmask(SIG_UNBLOCK, &set, nullptr);
 }
 

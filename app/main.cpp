@@ -1,16 +1,19 @@
-#include <fmt/core.h>
-
-#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <exception>
 #include <string>
 #include <vector>
 
+#include <CLI/CLI.hpp>
+#include <fmt/core.h>
+
 #include "app/commands/commands.h"
 #include "app/commands/film.h"
 #include "app/interrupt.h"
+#include "app/repeating_command.h"
 #include "core/base/error.h"
 #include "core/base/version.h"
+#include "core/config/message_text.h"
+#include "core/config/suggestion.h"
 
 namespace {
 
@@ -27,55 +30,86 @@ struct Command {
 };
 
 constexpr Command kCommands[] = {
-    {"check", "read and validate run files; one line for each fault", "evenglow check configs/phone_dbef.yaml", true, false,
-     evenglow::app::check_command},
-    {"simulate", "one trace of the backlight as described", "evenglow simulate configs/phone_dbef.yaml --photons 1e6", false,
-     true, evenglow::app::simulate_command},
+    {"check", "read and validate run files; one line for each fault", "evenglow check configs/dbef_vs_lpp.yaml", true,
+     false, evenglow::app::check_command},
+    {"simulate", "one trace of the backlight as described", "evenglow simulate configs/dbef_vs_lpp.yaml --photons 1e6",
+     false, true, evenglow::app::simulate_command},
     {"design", "find the density of the microstructure that makes the display even and bright",
-     "evenglow design configs/phone_dbef.yaml -o out/phone", false, true, evenglow::app::design_command},
+     "evenglow design configs/dbef_vs_lpp.yaml -o out/phone", false, true, evenglow::app::design_command},
     {"compare", "design each variant of a file, or each of several files, and set them side by side",
      "evenglow compare configs/dbef_vs_lpp.yaml", true, true, evenglow::app::compare_command},
 };
 
 void add_trace_options(CLI::App& command, Options& options, bool resumes) {
-  command.add_option("-o,--out", options.out, "directory for the results (default: out/<name of the file>)");
+  command.add_option("-o,--out", options.out, "directory for the results (default: out/<name of the file>)")
+      ->type_name("DIR");
   command.add_option("--threads", options.threads, "threads (default 0: all; the result does not depend on it)")
-      ->check(CLI::Range(0, 4096));
+      ->check(CLI::Range(0, 4096))
+      ->type_name("N");
   command.add_flag("--quiet", options.quiet, "no progress on stderr");
   command.add_flag("--overwrite", options.overwrite, "replace a result that is in the directory");
   if (resumes) command.add_flag("--resume", options.resume, "go on with an interrupted run");
 }
 
 void add_common_options(CLI::App& command, Options& options, bool many_files) {
-  command.add_option("RUN.yaml", options.files, many_files ? "run files" : "run file")->required()->expected(1, many_files ? 1000 : 1);
-  command.add_option("--set", options.set, "change a key: path.to.key=value (may be repeated)")->expected(1)->take_all();
-  command.add_option("--seed", options.seed, "seed of the random numbers (trace.seed)");
-  command.add_option("--photons", options.photons, "photons of the final trace (trace.photons), e.g. 20e6");
+  command.add_option("RUN.yaml", options.files, many_files ? "run files" : "run file")
+      ->required()
+      ->type_name("FILE")
+      ->expected(many_files ? -1 : 1);
+  command
+      .add_option("--set", options.set,
+                  "change a key, with its unit in its name: backlight.films[0].axis_deg=90 (may be repeated)")
+      ->type_name("KEY=VALUE")
+      ->expected(1)
+      ->take_all();
+  command
+      .add_option("--seed", options.seed, "seed of the random numbers (trace.seed; default: that of the file, else 1)")
+      ->type_name("N");
+  command
+      .add_option("--photons", options.photons,
+                  "photons of the final trace (trace.photons; default: that of the file, else 20e6)")
+      ->type_name("N");
 }
 
-std::string quoted(const std::string& word) {
-  if (word.find_first_of(" \t\n'\"\\$&|;<>(){}[]*?#~`!") == std::string::npos && !word.empty()) return word;
-  std::string text = "'";
-  for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return text + "'";
+/// What is wrong with the first word, if it should be a command and is none; else empty.
+std::string unknown_command(const CLI::App& program, const std::string& word) {
+  std::vector<std::string> names;
+  std::string listed;
+  for (const CLI::App* command : program.get_subcommands([](const CLI::App*) { return true; })) {
+    names.push_back(command->get_name());
+    listed += (listed.empty() ? "" : ", ") + names.back();
+    if (word == names.back()) return "";
+  }
+  if (word.starts_with("-")) return "";
+  const auto meant = evenglow::core::nearest(word, names);
+  return "the command must be one of " + listed + "; got " + evenglow::core::shown(word) +
+         (meant ? ", did you mean " + *meant + "?" : "");
 }
 
-/// The command that repeats a result: the words that change it.
-std::string repeating_command(const std::string& command, const Options& options) {
-  std::string text = "evenglow " + command;
-  for (const auto& file : options.files) text += ' ' + quoted(file.string());
-  for (const std::string& change : options.set) text += " --set " + quoted(change);
-  if (options.seed) text += " --seed " + std::to_string(*options.seed);
-  if (options.photons) text += " --photons " + quoted(*options.photons);
-  return text;
+/// A wrong command line in one line, and where to find the right one.
+int refuse(const CLI::App& program, const CLI::ParseError& error, int argc, char** argv) {
+  std::string message = argc > 1 ? unknown_command(program, argv[1]) : "";
+  std::string help = "evenglow --help";
+  if (message.empty()) {
+    message = evenglow::core::one_line(error.what());
+    if (argc > 1 && program.got_subcommand(argv[1])) help = std::string("evenglow ") + argv[1] + " --help";
+  }
+  fmt::print(stderr, "evenglow: {} ({} tells more)\n", message, help);
+  return evenglow::app::kWrongInput;
 }
 
 int run(int argc, char** argv) {
-  CLI::App program("Evenglow designs LCD backlights: the density of the microstructure of a light guide plate, by polarized "
-                   "Monte Carlo. Lengths are mm, angles degrees, flux lm, luminance cd/m2.");
+  CLI::App program(
+      "Evenglow designs LCD backlights: the density of the microstructure of a light guide plate, by polarized "
+      "Monte Carlo. Lengths are mm, angles degrees, flux lm, luminance cd/m2.",
+      "evenglow");
+  program.get_formatter()->label("SUBCOMMAND", "COMMAND");
+  program.get_formatter()->label("Subcommands", "Commands");
   program.set_version_flag("--version", "evenglow " + std::string(evenglow::core::version()));
   program.require_subcommand(1);
-  program.footer("Example: evenglow compare configs/dbef_vs_lpp.yaml\nExit codes: 0 done, 1 failed, 2 wrong input or usage, 130 interrupted.");
+  program.footer(
+      "Example: evenglow compare configs/dbef_vs_lpp.yaml\nExit codes: 0 done, 1 failed, 2 wrong input or usage, 130 "
+      "interrupted.");
   Options options;
   const Command* chosen = nullptr;
   for (const Command& command : kCommands) {
@@ -92,12 +126,11 @@ int run(int argc, char** argv) {
   } catch (const CLI::Success& success) {
     return program.exit(success);
   } catch (const CLI::ParseError& error) {
-    fmt::print(stderr, "evenglow: {}\n", error.what());
-    return evenglow::app::kWrongInput;
+    return refuse(program, error, argc, argv);
   }
   const evenglow::app::InterruptGuard interrupt;
   if (films.chosen() != nullptr) return films.chosen()->run({options, interrupt.token(), "film"});
-  return chosen->run({options, interrupt.token(), repeating_command(chosen->name, options)});
+  return chosen->run({options, interrupt.token(), evenglow::app::repeating_command(chosen->name, options)});
 }
 
 }  // namespace

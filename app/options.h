@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -13,7 +12,7 @@ struct Options {
   std::vector<std::filesystem::path> files;  ///< run files
   std::filesystem::path out;                 ///< empty: out/<name of the file>
   std::vector<std::string> set;              ///< key=value
-  std::optional<std::uint64_t> seed;
+  std::optional<std::string> seed;           ///< as typed
   std::optional<std::string> photons;        ///< as typed (20e6)
   int threads = 0;                           ///< 0: all
   bool quiet = false;

@@ -1,19 +1,33 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
 
 #include "app/options.h"
 
 namespace evenglow::app {
 
+/// The state of an interrupted design, in its output directory; a finished one leaves none.
+inline constexpr const char* kCheckpointName = "checkpoint.json";
+
 /// Where the results of `file` go: the option, or out/<name of the file>.
 std::filesystem::path output_directory(const Options& options, const std::filesystem::path& file);
 
-/// Refuses (ConfigError) a directory that holds a result or the state of an interrupted run, unless the options allow it
-/// (`--overwrite`, `--resume`). Makes nothing.
-void check_free(const std::filesystem::path& directory, const Options& options);
+/// Whether a run writes a file of this name: no variant may be called so.
+bool is_result_name(std::string_view name);
+
+/// Refuses (ConfigError) a directory that holds a result or the state of an interrupted run, in itself or in one of the
+/// folders `variants` that a comparison would write to, unless `--overwrite` allows it, or `--resume` does and there is
+/// a state to go on from. Makes nothing.
+void check_free(const std::filesystem::path& directory, const std::vector<std::string>& variants,
+                const Options& options);
 
 /// Makes the directory and proves that it can be written to, before hours are spent. Throws Error if it cannot.
 void make_directory(const std::filesystem::path& directory);
+
+/// Removes the files of an earlier result, that none of them stays beside the new ones; the checkpoint stays.
+void clear_results(const std::filesystem::path& directory);
 
 }  // namespace evenglow::app

@@ -1,9 +1,9 @@
 #include "app/progress.h"
 
+#include <cstdio>
+
 #include <fmt/core.h>
 #include <unistd.h>
-
-#include <cstdio>
 
 namespace evenglow::app {
 namespace {
@@ -12,7 +12,8 @@ constexpr int kBarWidth = 24;
 
 std::string bar(double share) {
   const int filled = static_cast<int>(share * kBarWidth);
-  return std::string(static_cast<std::size_t>(filled), '#') + std::string(static_cast<std::size_t>(kBarWidth - filled), '.');
+  return std::string(static_cast<std::size_t>(filled), '#') +
+         std::string(static_cast<std::size_t>(kBarWidth - filled), '.');
 }
 
 }  // namespace
@@ -60,9 +61,11 @@ void Progress::line(const std::string& text) {
 }
 
 std::string describe(const design::StepRecord& r) {
-  return fmt::format("step {}: {:.3g} photons, RMS {:.2f} % (corrected {:.2f} +- {:.2f} %), efficiency {:.2f} %, density {:.4f}, {:.1f} s",
-                     r.step, static_cast<double>(r.photons), 100.0 * r.rms, 100.0 * r.rms_corrected.value,
-                     100.0 * r.rms_corrected.se, 100.0 * r.efficiency.value, r.mean_density, r.wall_s);
+  return fmt::format(
+      "step {}: {:.3g} photons, RMS {:.2f} % (corrected {:.2f} +- {:.2f} %), efficiency {:.2f} %, density {:.4f}, "
+      "{:.1f} s",
+      r.step, static_cast<double>(r.photons), 100.0 * r.rms, 100.0 * r.rms_corrected.value, 100.0 * r.rms_corrected.se,
+      100.0 * r.efficiency.value, r.mean_density, r.wall_s);
 }
 
 }  // namespace evenglow::app

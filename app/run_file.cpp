@@ -1,11 +1,12 @@
 #include "app/run_file.h"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
 #include <algorithm>
 #include <utility>
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "app/output_directory.h"
 #include "design/report/writer_registry.h"
 
 namespace evenglow::app {
@@ -23,56 +24,75 @@ std::vector<ConfigDocument::Override> option_overrides(const Options& options) {
     }
     result.push_back({text.substr(0, equals), text.substr(equals + 1), "--set"});
   }
-  if (options.seed) result.push_back({"trace.seed", std::to_string(*options.seed), "--seed"});
+  if (options.seed) result.push_back({"trace.seed", *options.seed, "--seed"});
   if (options.photons) result.push_back({"trace.photons", *options.photons, "--photons"});
   return result;
 }
 
-Run read(ConfigDocument& document, const std::vector<ConfigDocument::Override>& overrides) {
+void check_version(const core::ConfigNode& root) {
+  const long long version = root.integer({"evenglow", "version of this format, 1", 1, 1000, {}});
+  if (version == 1) return;
+  root.fault_at("evenglow",
+                fmt::format("must be 1, the version of the format that this program reads, got {}", version));
+}
+
+Run read(ConfigDocument& document, const std::vector<ConfigDocument::Override>& overrides, Purpose purpose) {
   Run run;
   for (const auto& change : overrides) {
     document.apply(change);
     run.overrides.push_back(change.path + "=" + change.yaml);
   }
   const core::ConfigNode root = document.root();
-  root.integer({"evenglow", "version of this format", 1, 1, {}});
+  check_version(root);
   run.title = root.text({"title", "one line for the report", document.name()});
-  if (!root.has("backlight")) root.fault_at("backlight", "a map is required, got nothing");
-  run.backlight = tracer::read_backlight(root.map("backlight", "the backlight"));
+  if (!root.has("backlight")) root.fault_at("backlight", "must be given as a map of its parts, got nothing");
+  const core::ConfigNode backlight = root.map("backlight", "the backlight");
+  run.backlight = tracer::read_backlight(backlight);
+  if (purpose == Purpose::kDesign && !backlight.has("microstructure")) {
+    backlight.fault_at("microstructure",
+                       "must be given for a design, which changes its density, got nothing (simulate needs none)");
+  }
   run.trace = tracer::read_trace(root.map("trace", "how it is traced"));
   run.design = design::read_design(root.map("design", "how it is designed"));
   const auto formats = design::output_formats();
-  run.output = root.choices({"output", "formats of the result files", formats, fmt::format("{}", fmt::join(formats, ","))});
+  run.output =
+      root.choices({"output", "formats of the result files", formats, fmt::format("{}", fmt::join(formats, ","))});
+  if (run.output.empty()) root.fault_at("output", "must name at least one format, got none");
   run.file_text = document.source_text();
+  run.data_files = document.files();
   document.finish();
   return run;
 }
 
 }  // namespace
 
-Run read_run(const std::filesystem::path& file, const Options& options) {
+Run read_run(const std::filesystem::path& file, const Options& options, Purpose purpose) {
   ConfigDocument document = ConfigDocument::load(file);
   document.variants();  // counts as read
-  return read(document, option_overrides(options));
+  return read(document, option_overrides(options), purpose);
 }
 
-std::vector<Run> read_variants(const std::filesystem::path& file, const Options& options) {
+std::vector<Run> read_variants(const std::filesystem::path& file, const Options& options, Purpose purpose) {
   const auto from_options = option_overrides(options);
   ConfigDocument first = ConfigDocument::load(file);
   const auto variants = first.variants();
   std::vector<Run> runs;
   if (variants.empty()) {
-    runs.push_back(read(first, from_options));
+    runs.push_back(read(first, from_options, purpose));
     return runs;
   }
   std::vector<core::Fault> faults;
   for (const auto& [name, changes] : variants) {
+    if (is_result_name(name)) {
+      faults.push_back(
+          {first.name(), 0, 0, "variants." + name, "must not have the name of a result file, got " + name});
+    }
     ConfigDocument document = ConfigDocument::load(file);
     document.variants();
     auto overrides = changes;
     overrides.insert(overrides.end(), from_options.begin(), from_options.end());
     try {
-      runs.push_back(read(document, overrides));
+      runs.push_back(read(document, overrides, purpose));
       runs.back().variant = name;
     } catch (const core::ConfigError& error) {
       for (const core::Fault& fault : error.faults()) {

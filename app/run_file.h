@@ -21,14 +21,19 @@ struct Run {
   design::DesignSpec design;
   std::vector<std::string> output;  ///< formats
   std::string file_text;
-  std::vector<std::string> overrides;  ///< key=value
+  std::vector<std::string> overrides;             ///< key=value
+  std::vector<std::filesystem::path> data_files;  ///< that the run file names (film tables)
 };
+
+/// What a run is read for: a design needs a microstructure whose density it can change.
+enum class Purpose { kTrace, kDesign };
 
 /// Reads the run that the file describes, with the options laid over it; `variants` are left aside. Throws
 /// ConfigError with all faults.
-Run read_run(const std::filesystem::path& file, const Options& options);
+Run read_run(const std::filesystem::path& file, const Options& options, Purpose purpose = Purpose::kTrace);
 
 /// Reads each variant of the file (the file itself if it has none). Faults of all variants are thrown together.
-std::vector<Run> read_variants(const std::filesystem::path& file, const Options& options);
+std::vector<Run> read_variants(const std::filesystem::path& file, const Options& options,
+                               Purpose purpose = Purpose::kTrace);
 
 }  // namespace evenglow::app

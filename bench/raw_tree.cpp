@@ -9,6 +9,9 @@
 namespace evenglow::bench {
 namespace {
 
+/// Keeps the quad that a ray leaves, which it meets at distance zero, out of the search; of no account elsewhere (mm).
+constexpr float kNearest = 1e-30F;
+
 Segment segment_of(const tracer::Photon& photon) {
   const core::Vec3& o = photon.position;
   const core::Vec3& d = photon.light.frame.k;
@@ -24,7 +27,7 @@ RTCRayHit query_of(const Segment& segment) {
   query.ray.dir_x = segment.direction[0];
   query.ray.dir_y = segment.direction[1];
   query.ray.dir_z = segment.direction[2];
-  query.ray.tnear = 0.0F;
+  query.ray.tnear = kNearest;
   query.ray.tfar = std::numeric_limits<float>::infinity();
   query.ray.time = 0.0F;
   query.ray.mask = ~0U;

@@ -1,7 +1,7 @@
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <set>
+
+#include <fmt/core.h>
 
 #include "app/backlight_run.h"
 #include "app/commands/commands.h"
@@ -13,15 +13,16 @@ namespace {
 
 /// Each variant of a single file, or each of several files on its own.
 std::vector<Run> read_all(const Options& options) {
-  if (options.files.size() == 1) return read_variants(options.files.front(), options);
+  if (options.files.size() == 1) return read_variants(options.files.front(), options, Purpose::kDesign);
   std::vector<Run> runs;
   std::vector<core::Fault> faults;
   std::set<std::string> names;
   for (const auto& file : options.files) {
     try {
-      Run run = read_run(file, options);
+      Run run = read_run(file, options, Purpose::kDesign);
       run.variant = file.stem().string();
-      for (int i = 2; !names.insert(run.variant).second; ++i) run.variant = fmt::format("{}-{}", file.stem().string(), i);
+      for (int i = 2; is_result_name(run.variant) || !names.insert(run.variant).second; ++i)
+        run.variant = fmt::format("{}-{}", file.stem().string(), i);
       runs.push_back(std::move(run));
     } catch (const core::ConfigError& error) {
       faults.insert(faults.end(), error.faults().begin(), error.faults().end());
@@ -48,7 +49,9 @@ int compare_command(const Session& session) {
                                         "compare needs at least two variants, or several files, got one"});
   }
   const auto directory = output_directory(session.options, session.options.files.front());
-  check_free(directory, session.options);
+  std::vector<std::string> places;
+  for (const Run& run : runs) places.push_back(run.variant);
+  check_free(directory, places, session.options);
   make_directory(directory);
   const std::string title = runs.front().title;
   const auto formats = runs.front().output;
@@ -57,23 +60,27 @@ int compare_command(const Session& session) {
   for (std::size_t i = 0; i < runs.size(); ++i) {
     const auto place = directory / runs[i].variant;
     make_directory(place);
-    const RunContext context{session.options, progress, session.stop, session.program_arguments,
-                             static_cast<std::uint32_t>(i), place / "checkpoint.json"};
+    const RunContext context{
+        session.options,        progress, session.stop, session.program_arguments, static_cast<std::uint32_t>(i),
+        place / kCheckpointName};
     const auto own_formats = runs[i].output;
     auto report = run_design_job(std::move(runs[i]), context);
     if (!report) {
       progress.line("interrupted: --resume goes on from the last whole step");
       return kInterrupted;
     }
+    clear_results(place);
     design::write_report(*report, own_formats, place);
     print_result(*report, place);
     reports.push_back(std::move(*report));
   }
   const design::Comparison comparison = design::compare_reports(title, session.program_arguments, std::move(reports));
+  clear_results(directory);
   design::write_report(comparison, formats, directory);
-  for (const design::Report& report : comparison.variants) std::filesystem::remove(directory / report.variant / "checkpoint.json");
+  for (const design::Report& report : comparison.variants)
+    std::filesystem::remove(directory / report.variant / kCheckpointName);
   print_ratios(comparison);
-  fmt::print("report: {}\n", (directory / "report.html").string());
+  fmt::print("files: {}\n", directory.string());
   return kDone;
 }
 

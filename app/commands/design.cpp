@@ -7,19 +7,20 @@ namespace evenglow::app {
 
 int design_command(const Session& session) {
   const auto& file = session.options.files.front();
-  Run run = read_run(file, session.options);
+  Run run = read_run(file, session.options, Purpose::kDesign);
   const auto directory = output_directory(session.options, file);
-  check_free(directory, session.options);
+  check_free(directory, {}, session.options);
   make_directory(directory);
   const auto formats = run.output;
   Progress progress(session.options.quiet);
-  const RunContext context{session.options, progress, session.stop, session.program_arguments, 0,
-                           directory / "checkpoint.json"};
+  const RunContext context{session.options,           progress, session.stop,
+                           session.program_arguments, 0,        directory / kCheckpointName};
   const auto report = run_design_job(std::move(run), context);
   if (!report) {
     progress.line("interrupted: --resume goes on from the last whole step");
     return kInterrupted;
   }
+  clear_results(directory);
   design::write_report(*report, formats, directory);
   std::filesystem::remove(context.checkpoint);
   print_result(*report, directory);

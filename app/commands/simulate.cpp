@@ -9,7 +9,7 @@ int simulate_command(const Session& session) {
   const auto& file = session.options.files.front();
   Run run = read_run(file, session.options);
   const auto directory = output_directory(session.options, file);
-  check_free(directory, session.options);
+  check_free(directory, {}, session.options);
   make_directory(directory);
   const auto formats = run.output;
   Progress progress(session.options.quiet);
@@ -19,7 +19,9 @@ int simulate_command(const Session& session) {
     progress.line("interrupted: nothing was written");
     return kInterrupted;
   }
+  clear_results(directory);
   design::write_report(*report, formats, directory);
+  std::filesystem::remove(directory / kCheckpointName);
   print_result(*report, directory);
   return kDone;
 }

@@ -70,6 +70,10 @@ const std::filesystem::path& ConfigDocument::folder() const {
   return state_->folder;
 }
 
+const std::vector<std::filesystem::path>& ConfigDocument::files() const {
+  return state_->files;
+}
+
 const std::vector<DeclaredKey>& ConfigDocument::declared() const {
   return state_->declared;
 }

@@ -141,7 +141,10 @@ std::filesystem::path ConfigNode::file(const TextKey& declaration) const {
   const std::filesystem::path file = impl_->state->folder / *name;
   const bool nameless = name->empty() || name->find('\0') != std::string::npos;
   const std::string trouble = nameless ? "must be the name of a file, got " + described(*found) : file_trouble(file);
-  if (trouble.empty()) return file;
+  if (trouble.empty()) {
+    impl_->state->files.push_back(file);
+    return file;
+  }
   if (found != nullptr) impl_->refuse(*found, path, trouble);
   if (found == nullptr) fault_at(declaration.key, trouble);
   return {};

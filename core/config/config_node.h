@@ -141,6 +141,9 @@ class ConfigDocument {
   const std::string& source_text() const;       ///< the file as read
   const std::filesystem::path& folder() const;  ///< of the file; relative paths in it count from here
 
+  /// The data files that the keys read so far name, in the order of the reads.
+  const std::vector<std::filesystem::path>& files() const;
+
   /// Every key that readers have declared so far, each once per node pattern and kind, in the order of the first reads.
   const std::vector<DeclaredKey>& declared() const;
 

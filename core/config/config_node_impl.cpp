@@ -86,7 +86,11 @@ std::optional<std::string> ConfigNode::Impl::word(const ChoiceKey& declaration) 
   if (found != nullptr) {
     result = option_in(*found, key_path(path, declaration.key), declaration.options);
   } else if (!result) {
-    miss(declaration.key, declaration.help);
+    std::string about(declaration.help);
+    for (const std::string& option : declaration.options) {
+      about += (&option == &declaration.options.front() ? "; one of " : ", ") + option;
+    }
+    miss(declaration.key, about);
   }
   if (result && declaration.key == "kind") state->kinds[path] = *result;
   return result;

@@ -36,6 +36,7 @@ struct ConfigState {
   std::vector<NotedFault> faults;
   std::set<std::string> refused;  ///< paths of values that a typed read refused
   std::unordered_map<const ConfigValue*, MapReads> reads;
+  std::vector<std::filesystem::path> files;  ///< that keys name, in the order of the reads
   std::vector<DeclaredKey> declared;
   std::unordered_set<std::string> declared_ids;
   std::unordered_map<std::string, std::string> kinds;  ///< by path of the map

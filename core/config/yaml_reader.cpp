@@ -13,6 +13,8 @@
 
 #include "core/config/key_path.h"
 #include "core/config/message_text.h"
+#include "core/config/yaml_frame.h"
+#include "core/config/yaml_hints.h"
 #include "core/config/yaml_limits.h"
 
 namespace evenglow::core {
@@ -21,20 +23,6 @@ namespace {
 /// Thrown through the parser once the fault that ends the reading is noted.
 struct Stop {};
 constexpr const char* kQuoteHint = " (within { } a key or text that holds [ ] { } or , must be quoted)";
-
-struct PendingKey {
-  std::string text;
-  ConfigPlace place;
-  bool usable = true;
-};
-
-/// A map or list that is still open.
-struct Frame {
-  std::unique_ptr<ConfigValue> value;
-  YAML::anchor_t anchor = 0;
-  std::optional<PendingKey> key{};
-  std::unordered_map<std::string, int> lines{};  ///< of the keys so far
-};
 
 /// Builds the tree from the parser's events. Depth and number of values are checked as they come, so that neither
 /// nesting nor aliases can cost more than the limits.
@@ -69,6 +57,7 @@ class TreeBuilder final : public YAML::EventHandler {
     auto scalar = new_value(ConfigValue::Kind::kScalar, mark, value.size());
     scalar->text = value;
     scalar->quoted = tag != "?";
+    if (scalar->quoted) last_quoted_ = mark;
     check_tag(mark, tag);
     finish_value(std::move(scalar), anchor);
   }
@@ -96,6 +85,12 @@ class TreeBuilder final : public YAML::EventHandler {
     return at_end && unclosed && !frames_.empty() ? frames_.back().value->place : place(error.mark);
   }
 
+  /// To be called at the end of the text.
+  void check_last_quote() {
+    if (last_quoted_.is_null() || !is_open_quote(text_, static_cast<std::size_t>(last_quoted_.pos))) return;
+    stop(place(last_quoted_), "not valid YAML: the quote that opens here is never closed");
+  }
+
   /// Notes a fault after which the reading goes on, unless there are very many.
   void tolerate(const ConfigPlace& at, const std::string& message, const std::string& key) {
     note(at, message, key);
@@ -120,9 +115,7 @@ class TreeBuilder final : public YAML::EventHandler {
     values_ += values;
     bytes_ += bytes;
     if (values_ > kMaxConfigValues) stop(place(mark), kTooManyValues);
-    if (bytes_ > kMaxRunFileBytes) {
-      stop(place(mark), kTooMuchText);
-    }
+    if (bytes_ > kMaxRunFileBytes) stop(place(mark), kTooMuchText);
   }
 
   void check_tag(const YAML::Mark& mark, const std::string& tag) {
@@ -146,7 +139,7 @@ class TreeBuilder final : public YAML::EventHandler {
   }
 
   void close() {
-    Frame frame = std::move(frames_.back());
+    YamlFrame frame = std::move(frames_.back());
     frames_.pop_back();
     finish_value(std::move(frame.value), frame.anchor);
   }
@@ -178,7 +171,7 @@ class TreeBuilder final : public YAML::EventHandler {
   }
 
   void take_entry(std::unique_ptr<ConfigValue> value) {
-    Frame& frame = frames_.back();
+    YamlFrame& frame = frames_.back();
     const PendingKey key = *frame.key;
     if (value->kind == ConfigValue::Kind::kNull) value->place = key.place;
     const auto [first, fresh] = frame.lines.try_emplace(key.usable ? key.text : "", key.place.line);
@@ -197,7 +190,7 @@ class TreeBuilder final : public YAML::EventHandler {
   /// Of the value that is being read.
   std::string path() const {
     std::string result = source_.path;
-    for (const Frame& frame : frames_) {
+    for (const YamlFrame& frame : frames_) {
       if (frame.value->is_list()) {
         result = item_path(result, frame.value->children.size());
       } else if (frame.key && frame.key->usable) {
@@ -211,10 +204,11 @@ class TreeBuilder final : public YAML::EventHandler {
   const YamlSource& source_;
   std::vector<Fault>& faults_;
   int documents_ = 0;
+  YAML::Mark last_quoted_ = YAML::Mark::null_mark();
   std::size_t values_ = 0;  ///< so far, aliases followed
   std::size_t bytes_ = 0;
   std::size_t tolerated_ = 0;
-  std::vector<Frame> frames_;
+  std::vector<YamlFrame> frames_;
   std::unordered_map<YAML::anchor_t, const ConfigValue*> anchors_;  ///< of finished values
   std::vector<std::unique_ptr<ConfigValue>> unused_;                ///< not in the tree, but an alias may name them
   std::unique_ptr<ConfigValue> root_;
@@ -233,10 +227,12 @@ std::unique_ptr<ConfigValue> read_yaml(const std::string& text, const YamlSource
     YAML::Parser parser(stream);
     while (parser.HandleNextDocument(builder)) {
     }
+    builder.check_last_quote();
   } catch (const Stop&) {
     return nullptr;
   } catch (const YAML::Exception& error) {
-    const char* hint = error.msg == YAML::ErrorMsg::END_OF_MAP_FLOW ? kQuoteHint : "";
+    const std::string hint =
+        error.msg == YAML::ErrorMsg::END_OF_MAP_FLOW ? kQuoteHint : indentation_hint(text, error.mark.line);
     builder.note(builder.place_of_error(error), "not valid YAML: " + error.msg + hint, source.path);
     return nullptr;
   }

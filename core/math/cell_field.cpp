@@ -9,8 +9,8 @@ namespace evenglow::core {
 namespace {
 
 int clamped_cell(double position, double origin, double size, int count) {
-  const double cell = std::floor((position - origin) / size);
-  return static_cast<int>(std::clamp(cell, 0.0, static_cast<double>(count - 1)));
+  // What is cut off after the clamp is what floor would have cut off.
+  return static_cast<int>(std::clamp((position - origin) / size, 0.0, static_cast<double>(count - 1)));
 }
 
 /// Position of a reflected index: ... 1 0 | 0 1 2 ... n-1 | n-1 n-2 ...

@@ -1,11 +1,11 @@
 #include "design/engine/checkpoint.h"
 
-#include <fcntl.h>
-#include <unistd.h>
-
 #include <fstream>
-#include <nlohmann/json.hpp>
 #include <utility>
+
+#include <fcntl.h>
+#include <nlohmann/json.hpp>
+#include <unistd.h>
 
 #include "core/base/error.h"
 
@@ -31,7 +31,8 @@ core::CellField field_from(const json& node) {
   field.grid.dx = frame[2];
   field.grid.dy = frame[3];
   field.values = node.at("values").get<std::vector<double>>();
-  core::expects(field.grid.nx > 0 && field.grid.ny > 0 && field.values.size() == field.grid.size(), "a value for each cell");
+  core::expects(field.grid.nx > 0 && field.grid.ny > 0 && field.values.size() == field.grid.size(),
+                "a value for each cell");
   return field;
 }
 

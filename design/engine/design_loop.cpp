@@ -1,10 +1,10 @@
 #include "design/engine/design_loop.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <cmath>
 #include <utility>
+
+#include <fmt/core.h>
 
 #include "design/engine/level_search.h"
 #include "design/problem/merit.h"
@@ -40,7 +40,9 @@ bool stalled(const std::vector<StepRecord>& steps, const DesignLimits& limits) {
   if (static_cast<int>(steps.size()) < kStallSteps + 2) return false;
   const auto recent = steps.end() - kStallSteps;
   if ((recent - 1)->photons < limits.largest_photons) return false;
-  const auto less = [](const StepRecord& a, const StepRecord& b) { return a.rms_corrected.value < b.rms_corrected.value; };
+  const auto less = [](const StepRecord& a, const StepRecord& b) {
+    return a.rms_corrected.value < b.rms_corrected.value;
+  };
   const double before = std::min_element(steps.begin(), recent, less)->rms_corrected.value;
   return std::min_element(recent, steps.end(), less)->rms_corrected.value > (1.0 - kStallGain) * before;
 }
@@ -57,8 +59,8 @@ std::string stop_reason(const DesignProgress& progress, const DesignSpec& spec, 
                         const Proposal& proposal) {
   const StepRecord& record = progress.steps.back();
   if (reached(record, spec) && level_rests(progress, spec, proposal)) {
-    return fmt::format("reached: the noise-corrected RMS is {:.2f} % (wanted {:.2f} %)", 100.0 * record.rms_corrected.value,
-                       100.0 * spec.stop_rms);
+    return fmt::format("reached: the noise-corrected RMS is {:.2f} % (wanted {:.2f} %)",
+                       100.0 * record.rms_corrected.value, 100.0 * spec.stop_rms);
   }
   if (stalled(progress.steps, limits)) {
     return fmt::format("stalled: no better than {:.2f} % in the last {} steps", 100.0 * progress.best_rms, kStallSteps);
@@ -72,7 +74,8 @@ void tell_limits(const Proposal& proposal, const DesignSpec& spec, DesignProgres
   const double cells = static_cast<double>(proposal.density.cells.values.size());
   const auto tell = [&](int count, const char* limit, double value) {
     if (count == 0) return;
-    progress.limit_notes.push_back(fmt::format("The {} limit of the density ({}) holds {} cells ({:.2f} %).", limit, value, count, 100.0 * count / cells));
+    progress.limit_notes.push_back(fmt::format("The {} limit of the density ({}) holds {} cells ({:.2f} %).", limit,
+                                               value, count, 100.0 * count / cells));
   };
   tell(proposal.clipped_low, "lower", spec.density_min);
   tell(proposal.clipped_high, "upper", spec.density_max);
@@ -141,13 +144,15 @@ DesignProgress run_design(const ForwardModel& model, const DesignSpec& spec, con
     if (step == 0) progress.start_luminance = state.observation.map.luminance;
     Proposal proposal = updater->propose(state, spec);
     const bool trusted = record.rms_corrected.se <= 0.5 * std::max(record.rms_corrected.value, spec.stop_rms);
-    if (step == 0 || (trusted && record.rms_corrected.value < progress.best_rms + record.rms_corrected.se) || reached(record, spec)) {
+    if (step == 0 || (trusted && record.rms_corrected.value < progress.best_rms + record.rms_corrected.se) ||
+        reached(record, spec)) {
       progress.best_rms = record.rms_corrected.value;
       progress.best_density = state.density;
     }
     tell_limits(proposal, spec, progress);
     if (progress.level_note.empty() && !spec.level && record.rms_corrected.value < kRoughlyRight) {
-      const auto choice = choose_level(model, proposal.density, spec, std::min(limits.first_photons, limits.largest_photons));
+      const auto choice =
+          choose_level(model, proposal.density, spec, std::min(limits.first_photons, limits.largest_photons));
       if (!choice) return before;
       change_level(*choice, spec, proposal, progress);
     }

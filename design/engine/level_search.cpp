@@ -1,17 +1,17 @@
 #include "design/engine/level_search.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <utility>
 #include <vector>
+
+#include <fmt/core.h>
 
 namespace evenglow::design {
 namespace {
 
 constexpr double kFactors[] = {0.4, 0.63, 1.0, 1.6, 2.5};
-constexpr double kRoom = 0.75;       // largest density of a candidate, over the upper limit
-constexpr double kNearBest = 0.99;   // of the best efficiency
+constexpr double kRoom = 0.75;                     // largest density of a candidate, over the upper limit
+constexpr double kNearBest = 0.98;                 // of the best efficiency
 constexpr std::uint32_t kFirstStep = 0x80000000U;  // random numbers of their own
 
 tracer::DensityField scaled(tracer::DensityField density, double factor, const DesignSpec& spec) {
@@ -27,8 +27,8 @@ struct Candidate {
 
 }  // namespace
 
-std::optional<LevelChoice> choose_level(const ForwardModel& model, const tracer::DensityField& density, const DesignSpec& spec,
-                                        std::uint64_t photons) {
+std::optional<LevelChoice> choose_level(const ForwardModel& model, const tracer::DensityField& density,
+                                        const DesignSpec& spec, std::uint64_t photons) {
   std::vector<Candidate> candidates;
   std::uint32_t step = kFirstStep;
   for (const double factor : kFactors) {
@@ -46,9 +46,10 @@ std::optional<LevelChoice> choose_level(const ForwardModel& model, const tracer:
   choice.factor = chosen->factor;
   choice.note = "Level of the density, efficiency at mean density";
   for (const Candidate& c : candidates) {
-    choice.note += fmt::format(" {:.3f}: {:.2f} +- {:.2f} %,", c.level, 100.0 * c.efficiency.value, 100.0 * c.efficiency.se);
+    choice.note +=
+        fmt::format(" {:.3f}: {:.2f} +- {:.2f} %,", c.level, 100.0 * c.efficiency.value, 100.0 * c.efficiency.se);
   }
-  choice.note += fmt::format(" chosen {:.3f}, the lowest within 1 % of the best.", chosen->level);
+  choice.note += fmt::format(" chosen {:.3f}, the lowest within 2 % of the best.", chosen->level);
   return choice;
 }
 

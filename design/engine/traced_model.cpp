@@ -38,7 +38,8 @@ AngularLuminance angular_luminance(const tracer::Scene& scene, const tracer::Tra
   for (int i = 0; i <= receiver.polar_count(); ++i) angular.polar_deg.push_back(90.0 * i / receiver.polar_count());
   angular.azimuth_count = receiver.azimuth_count();
   const core::Vec3 size = scene.box.max - scene.box.min;
-  angular.luminance = make_angular_luminance(receiver, result.angular, result.flux, result.photons, size.x() * size.y());
+  angular.luminance =
+      make_angular_luminance(receiver, result.angular, result.flux, result.photons, size.x() * size.y());
   return angular;
 }
 

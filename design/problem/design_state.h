@@ -15,10 +15,10 @@ namespace evenglow::design {
 /// What one trace of a backlight shows.
 struct Observation {
   std::uint64_t photons = 0;
-  tracer::LuminanceMap map;           ///< cd/m2, active area
-  core::Tally luminance;              ///< the batches that the map was made of, any unit proportional to cd/m2
-  double luminance_unit = 1.0;        ///< cd/m2 for 1 of `luminance`
-  core::Estimate efficiency;          ///< share of the source flux that leaves the top
+  tracer::LuminanceMap map;     ///< cd/m2, active area
+  core::Tally luminance;        ///< the batches that the map was made of, any unit proportional to cd/m2
+  double luminance_unit = 1.0;  ///< cd/m2 for 1 of `luminance`
+  core::Estimate efficiency;    ///< share of the source flux that leaves the top
   EnergyAccount energy;
   std::optional<AngularLuminance> angular;
   double cpu_s = 0.0;
@@ -32,7 +32,7 @@ struct DesignState {
 };
 
 /// From a density to an observation, with `photons` photons and the random numbers of `step`. Empty: interrupted.
-using ForwardModel =
-    std::function<std::optional<Observation>(const tracer::DensityField& density, std::uint64_t photons, std::uint32_t step)>;
+using ForwardModel = std::function<std::optional<Observation>(const tracer::DensityField& density,
+                                                              std::uint64_t photons, std::uint32_t step)>;
 
 }  // namespace evenglow::design

@@ -12,13 +12,13 @@ namespace evenglow::design {
 
 /// One step of a design (a row of convergence.csv).
 struct StepRecord {
-  int step = 0;                ///< from 0: the start
-  std::uint64_t photons = 0;   ///< of this step's trace
-  double rms = 0.0;            ///< standard deviation over mean of the luminance of the active cells
+  int step = 0;                  ///< from 0: the start
+  std::uint64_t photons = 0;     ///< of this step's trace
+  double rms = 0.0;              ///< standard deviation over mean of the luminance of the active cells
   core::Estimate rms_corrected;  ///< the Monte Carlo variance taken off; may be slightly negative (signed root)
-  core::Estimate efficiency;   ///< share of the LED flux that leaves the top
-  double mean_density = 0.0;   ///< of all cells of the plate
-  double luminance_mean = 0.0;  ///< cd/m2
+  core::Estimate efficiency;     ///< share of the LED flux that leaves the top
+  double mean_density = 0.0;     ///< of all cells of the plate
+  double luminance_mean = 0.0;   ///< cd/m2
   double cpu_s = 0.0;
   double wall_s = 0.0;
 };
@@ -28,8 +28,8 @@ struct FinalJudgment {
   std::uint64_t photons = 0;
   double rms = 0.0;
   core::Estimate rms_corrected;
-  double uniformity_9 = 0.0;   ///< minimum over maximum of 9 spots
-  double uniformity_13 = 0.0;  ///< of 13 spots
+  double uniformity_9 = 0.0;      ///< minimum over maximum of 9 spots
+  double uniformity_13 = 0.0;     ///< of 13 spots
   core::Estimate luminance_mean;  ///< cd/m2
   double luminance_center = 0.0;  ///< cd/m2
   core::Estimate efficiency;
@@ -51,8 +51,8 @@ struct EnergyAccount {
 
 /// Luminance of the display averaged over the active area, by direction of view.
 struct AngularLuminance {
-  std::vector<double> polar_deg;    ///< edges of the polar bins, 0 to 90, size n_polar + 1
-  int azimuth_count = 0;            ///< equal bins of azimuth from 0 to 360 degrees; bin i begins at i * 360 / count
+  std::vector<double> polar_deg;  ///< edges of the polar bins, 0 to 90, size n_polar + 1
+  int azimuth_count = 0;          ///< equal bins of azimuth from 0 to 360 degrees; bin i begins at i * 360 / count
   std::vector<core::Estimate> luminance;  ///< cd/m2, index polar * azimuth_count + azimuth
 };
 

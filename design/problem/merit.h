@@ -9,21 +9,23 @@ namespace evenglow::design {
 
 /// RMS non-uniformity: standard deviation over mean of the cells.
 struct Evenness {
-  double rms = 0.0;              ///< of the map as it is, noise included
-  core::Estimate rms_corrected;  ///< without the noise; signed root, negative where noise alone explains more than is seen
-  core::Estimate mean;           ///< of the map, unit of the tally
+  double rms = 0.0;  ///< of the map as it is, noise included
+  core::Estimate
+      rms_corrected;    ///< without the noise; signed root, negative where noise alone explains more than is seen
+  core::Estimate mean;  ///< of the map, unit of the tally
 };
 
 /// From the batches of a luminance tally (at least 3).
 ///
-/// With y_b the map of batch b over the overall mean, less its own spatial mean, and h(b, c) = <y_b, y_c> / cells, the squared RMS without
-/// noise is the U-statistic C = mean of h over b != c: the noise of two batches is independent, so nothing has to be subtracted. Its
-/// variance is that of a U-statistic of degree 2 (Hoeffding, Ann. Math. Stat. 19, 1948), estimated from the matrix h:
-/// 4 (B - 2) / (B (B - 1)) zeta_1 + 2 / (B (B - 1)) zeta_2.
+/// With y_b the map of batch b over the overall mean, less its own spatial mean, and h(b, c) = <y_b, y_c> / cells, the
+/// squared RMS without noise is the U-statistic C = mean of h over b != c: the noise of two batches is independent, so
+/// nothing has to be subtracted. Its variance is that of a U-statistic of degree 2 (Hoeffding, Ann. Math. Stat. 19,
+/// 1948), estimated from the matrix h: 4 (B - 2) / (B (B - 1)) zeta_1 + 2 / (B (B - 1)) zeta_2.
 Evenness evenness(const core::Tally& luminance);
 
-/// Minimum over maximum of the luminance of spots at 9 points (a 3 x 3 grid at 10, 50 and 90 % of length and width) and 13 points
-/// (those and the 4 at 30 and 70 %). A spot is the mean of the cells whose centers lie within 4 % of the diagonal of the point.
+/// Minimum over maximum of the luminance of spots at 9 points (a 3 x 3 grid at 10, 50 and 90 % of length and width) and
+/// 13 points (those and the 4 at 30 and 70 %). A spot is the mean of the cells whose centers lie within 4 % of the
+/// diagonal of the point.
 double uniformity_9(const core::CellField& luminance);
 double uniformity_13(const core::CellField& luminance);
 /// The mean of the spot at the center.

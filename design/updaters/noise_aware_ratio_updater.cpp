@@ -62,7 +62,8 @@ void add_significant(const CellField& band, const CellField& noise_band, int i, 
   }
 }
 
-/// Half the difference of the maps of even and odd batches (equal numbers of each), over the local mean of a map of all.
+/// Half the difference of the maps of even and odd batches (equal numbers of each), over the local mean of a map of
+/// all.
 CellField noise_sample(const core::Tally& tally, const CellField& local) {
   CellField result(local.grid, 0.0);
   const std::size_t pairs = tally.batches() / 2;

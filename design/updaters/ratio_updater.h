@@ -4,13 +4,14 @@
 
 namespace evenglow::design {
 
-/// Density times (target / luminance)^power, cell by cell, the ratio held in [1/4, 4]: the update that Zhdanov et al. (Optical
-/// Review 21, 2014) describe, with the formula of its published family (US 7,277,609; Yan et al., Adv. OptoElectronics 2016,
-/// 1760260). It follows the noise of the map.
+/// Density times (target / luminance)^power, cell by cell, the ratio held in [1/4, 4]: the update that Zhdanov et al.
+/// (Optical Review 21, 2014) describe, with the formula of its published family (US 7,277,609; Yan et al., Adv.
+/// OptoElectronics 2016, 1760260). It follows the noise of the map.
 std::unique_ptr<const Updater> make_ratio_updater();
 
-/// The common step of the ratio updates: `log_excess` is ln(luminance / mean luminance) on the luminance cells; it is taken to
-/// the density cells (those outside the active area follow the nearest inside), the level is chosen, the limits are kept.
+/// The common step of the ratio updates: `log_excess` is ln(luminance / mean luminance) on the luminance cells; it is
+/// taken to the density cells (those outside the active area follow the nearest inside), the level is chosen, the
+/// limits are kept.
 Proposal apply_ratio(const DesignState& state, const DesignSpec& spec, const core::CellField& log_excess);
 
 }  // namespace evenglow::design

@@ -7,7 +7,8 @@ namespace evenglow::design {
 
 const std::vector<UpdaterEntry>& updater_registry() {
   static const std::vector<UpdaterEntry> entries = {
-      {"ratio_noise_aware", "the ratio update on the response with its noise taken out band by band", make_noise_aware_ratio_updater},
+      {"ratio_noise_aware", "the ratio update on the response with its noise taken out band by band",
+       make_noise_aware_ratio_updater},
       {"ratio", "density times a power of target over luminance", make_ratio_updater},
   };
   return entries;

@@ -1,7 +1,9 @@
 #include "core/montecarlo/batches.h"
 
 #include <atomic>
+#include <chrono>
 #include <stdexcept>
+#include <thread>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -40,7 +42,7 @@ TEST(Batches, NoMoreThreadsThanAsked) {
     const int running = ++now;
     int seen = most;
     while (running > seen && !most.compare_exchange_weak(seen, running)) {}
-    for (volatile int i = 0; i < 100000; i = i + 1) {}
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
     --now;
   });
   EXPECT_LE(most, 2);
@@ -66,8 +68,8 @@ TEST(Batches, ThreadsAndTime) {
   EXPECT_EQ(effective_threads(3), 3);
   EXPECT_GE(effective_threads(0), 1);
   const double before = process_cpu_seconds();
-  for (volatile int i = 0; i < 3000000; i = i + 1) {}
-  EXPECT_GT(process_cpu_seconds(), before);
+  while (process_cpu_seconds() < before + 1e-3) {}  // it moves while we work
+
 }
 
 }  // namespace

@@ -91,6 +91,11 @@ TEST(CellField, SmoothingHasItsWidth) {
   }
   EXPECT_NEAR(x2, 4.0, 0.02);
   EXPECT_NEAR(y2, x2, 1e-12);
+  const CellField along = smooth_gaussian(field, 2.0, 0.0);
+  double across = 0.0;
+  for (int iy = 0; iy < 41; ++iy) across += iy == 20 ? 0.0 : along.values[static_cast<std::size_t>(iy * 41 + 20)];
+  EXPECT_EQ(across, 0.0);
+  EXPECT_GT(along.values[20 * 41 + 22], 0.1);
 }
 
 }  // namespace

@@ -58,7 +58,7 @@ TEST(Registry, AnUnknownKindIsOneFaultEvenWithAFallback) {
 TEST(Registry, AMissingKindIsOneFault) {
   std::optional<double> made;
   EXPECT_THAT(faults_of("{transmittance: 7}", reads_film(made)),
-              ElementsAre("run.yaml:1:1: kind: must be given (which kind of part this is)"));
+              ElementsAre("run.yaml:1:1: kind: must be given (which kind of part this is; one of bef, lpp)"));
 }
 
 TEST(Registry, KeysOfAnotherKindAreUnknown) {

@@ -1,7 +1,6 @@
 #include "design/report/html_writer.h"
 
 #include <limits>
-#include <regex>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -116,7 +115,7 @@ TEST(HtmlWriter, WritesWhateverTheNumbers) {
   EXPECT_NO_THROW(data_of(report_html(Report{})));
   const std::string html = report_html(compare_reports("", "", {Report{}, Report{}}));
   EXPECT_NO_THROW(data_of(html));
-  EXPECT_FALSE(std::regex_search(html, std::regex("\\bnan\\b")));
+  EXPECT_EQ(count(html, "nan"), count(html, "uminance"));
 }
 
 }  // namespace

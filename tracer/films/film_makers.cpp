@@ -81,6 +81,10 @@ Film make_dbef(const core::ConfigNode& node) {
   if (node.has("table")) {
     read_tabulated_dbef(node, film);
   } else {
+    if (node.has("hemispherical")) {
+      node.fault_at("hemispherical", "must stand beside the table that it normalizes, got no table");
+      node.file({"hemispherical", "hemispherical totals that the table is normalized to (CSV)"});
+    }
     read_ideal_dbef(node, film);
   }
   return film;

@@ -111,6 +111,23 @@ RayHit RayCaster::nearest(const core::Vec3& origin, const core::Vec3& direction,
   return locate(static_cast<int>(query.hit.primID), origin, direction);
 }
 
+RayHit RayCaster::exit_of(std::span<const int> faces, const core::Vec3& origin, const core::Vec3& direction,
+                          int skip) const {
+  int nearest_face = -1;
+  double nearest_t = std::numeric_limits<double>::infinity();
+  for (const int face : faces) {
+    const Plane& plane = planes_[static_cast<std::size_t>(face)];
+    const double slope = plane.normal.dot(direction);
+    const double t = (plane.offset - plane.normal.dot(origin)) / slope;
+    if (slope > 0.0 && t < nearest_t && face != skip) {
+      nearest_t = t;
+      nearest_face = face;
+    }
+  }
+  if (nearest_face < 0) return {};
+  return locate(nearest_face, origin, direction);
+}
+
 RayHit RayCaster::locate(int quad, const core::Vec3& origin, const core::Vec3& direction) const {
   const Plane& plane = planes_[static_cast<std::size_t>(quad)];
   const Quad& q = quads_[static_cast<std::size_t>(quad)];

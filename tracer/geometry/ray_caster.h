@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "core/math/vec3.h"
@@ -27,6 +28,11 @@ class RayCaster {
 
   /// Nearest quad along the ray, other than `skip` (-1: none): a ray that leaves a flat quad cannot meet it again.
   RayHit nearest(const core::Vec3& origin, const core::Vec3& direction, int skip) const;
+
+  /// Where a ray that starts in a convex body leaves it: the face of least distance among those that it runs against.
+  /// `faces`: all quads of the body, their normals pointing out, few enough to be tried in turn; `skip` as above. In
+  /// double precision, without the tree: about a quarter of its time for a box, and nothing can leak.
+  RayHit exit_of(std::span<const int> faces, const core::Vec3& origin, const core::Vec3& direction, int skip) const;
 
   /// The nearest of the quads that `allowed` admits, by a search through all in double precision: slow, for the few rays
   /// that single precision decides wrongly at an edge. Hits down to 1e-7 mm behind the origin, and beyond a border by

@@ -19,14 +19,21 @@ Vec3 s_axis(const Vec3& k) {
   return {-k.y() * inverse, k.x() * inverse, 0.0};
 }
 
+/// The light in the frame whose e2 is s (unit, perpendicular to k): e1' = s x k, so that e1 . e1' = cos and
+/// e2 . e1' = (k x e1) . (s x k) = -e1 . s.
+StokesVector seen_along(const StokesVector& light, const Vec3& s) {
+  const Vec3 e1 = s.cross(light.frame.k);
+  return light.turned(light.frame.e1.dot(e1), -light.frame.e1.dot(s), e1);
+}
+
 /// Light with amplitudes E_p' = a_p E_p, E_s' = a_s E_s, rescaled to power `I`; incident Q = |E_p|^2 - |E_s|^2.
-StokesVector transformed(const StokesVector& in, std::complex<double> a_p, std::complex<double> a_s,
+/// `pp`, `ss`: |a_p|^2, |a_s|^2; `re`, `im`: a_p conj(a_s).
+StokesVector transformed(const StokesVector& in, double pp, double ss, double re, double im,
                          const core::PolarizationFrame& out) {
-  const double p = std::norm(a_p) * 0.5 * (in.I + in.Q);
-  const double s = std::norm(a_s) * 0.5 * (in.I - in.Q);
-  const std::complex<double> uv = a_p * std::conj(a_s) * std::complex<double>(in.U, in.V);
+  const double p = pp * 0.5 * (in.I + in.Q);
+  const double s = ss * 0.5 * (in.I - in.Q);
   const double scale = in.I / (p + s);
-  return {in.I, (p - s) * scale, uv.real() * scale, uv.imag() * scale, out};
+  return {in.I, (p - s) * scale, (re * in.U - im * in.V) * scale, (re * in.V + im * in.U) * scale, out};
 }
 
 /// diag-like Mueller matrix of amplitudes (tangential count: p first, s second).
@@ -57,17 +64,28 @@ std::optional<BsdfSample> DielectricFace::sample(const StokesVector& incident, c
   const double n2 = upward ? n_above_ : n_below_;
   const core::FresnelFace face = core::fresnel(std::abs(k.z()), n1, n2);
   const Vec3 s = s_axis(k);
-  const StokesVector in = incident.in_frame(s.cross(k));
-  const Vec3 mirrored(k.x(), k.y(), -k.z());
-  const auto reflected_frame = core::PolarizationFrame::with_e2(mirrored, s);
-  if (face.total_reflection) return BsdfSample{transformed(in, face.r_p, face.r_s, reflected_frame), true};
-  const double reflected = 0.5 * (face.reflectance_p() * (in.I + in.Q) + face.reflectance_s() * (in.I - in.Q));
-  if (rng.uniform() * in.I < reflected) {
-    return BsdfSample{transformed(in, face.r_p, face.r_s, reflected_frame), true};
+  const StokesVector in = seen_along(incident, s);
+  const auto reflected_frame = core::PolarizationFrame::with_e2(Vec3(k.x(), k.y(), -k.z()), s);
+  const double p_re = face.r_p.real();
+  const double s_re = face.r_s.real();
+  if (face.total_reflection) {
+    const double p_im = face.r_p.imag();
+    const double s_im = face.r_s.imag();
+    return BsdfSample{
+        transformed(in, 1.0, 1.0, p_re * s_re + p_im * s_im, p_im * s_re - p_re * s_im, reflected_frame), true};
   }
+  const double R_p = p_re * p_re;
+  const double R_s = s_re * s_re;
+  const double reflected = 0.5 * (R_p * (in.I + in.Q) + R_s * (in.I - in.Q));
+  if (rng.uniform() * in.I < reflected) {
+    return BsdfSample{transformed(in, R_p, R_s, p_re * s_re, 0.0, reflected_frame), true};
+  }
+  // A unit vector to rounding, as k is: its tangential part obeys Snell, its normal part comes from the same sine.
   const double bend = n1 / n2;
-  const Vec3 refracted = Vec3(k.x() * bend, k.y() * bend, std::copysign(face.cos_transmitted, k.z())).normalized();
-  return BsdfSample{transformed(in, face.t_p, face.t_s, core::PolarizationFrame::with_e2(refracted, s)), true};
+  const Vec3 refracted(k.x() * bend, k.y() * bend, std::copysign(face.cos_transmitted, k.z()));
+  const auto refracted_frame = core::PolarizationFrame::with_e2(refracted, s);
+  return BsdfSample{
+      transformed(in, face.t_p * face.t_p, face.t_s * face.t_s, face.t_p * face.t_s, 0.0, refracted_frame), true};
 }
 
 StokesVector DielectricFace::evaluate(const StokesVector&, const Vec3& k_out) const {

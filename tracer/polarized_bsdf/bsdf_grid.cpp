@@ -11,6 +11,7 @@
 namespace evenglow::tracer {
 namespace {
 
+constexpr double kHuge = 1e12;
 constexpr std::array<std::size_t, 6> kSortedBy{kKind, kLambda, kPsi, kSigma, kTheta, kPhi};
 
 std::vector<double> distinct(const CsvNumbers& rows, std::size_t column) {
@@ -64,6 +65,31 @@ void require_complete(const CsvNumbers& rows, const std::vector<std::size_t>& or
 }
 
 }  // namespace
+
+const std::vector<CsvColumn>& bsdf_columns() {
+  static const std::vector<CsvColumn> table{
+      {"kind", "BRDF or BTDF", 0, 0, false, true, {"BRDF", "BTDF"}},
+      {"psi_deg", "a number in [0, 180)", 0, 180, true},
+      {"sigma_deg", "a number in [0, 90)", 0, 90, true},
+      {"phi_deg", "a number in [0, 360)", 0, 360, true},
+      {"theta_deg", "a number in [0, 180)", 0, 180, true},
+      {"lambda_nm", "a number in [100, 10000]", 100, 10000},
+      {"tau_min", "a number in [0, 1e12]", 0, kHuge},
+      {"tau_max", "a number in [0, 1e12]", 0, kHuge},
+      {"delta_deg", "a number in [-360, 360]", -360, 360},
+      {"tau_min_se", "a number in [0, 1e12]", 0, kHuge, false, false},
+      {"tau_max_se", "a number in [0, 1e12]", 0, kHuge, false, false},
+      {"delta_se_deg", "a number in [0, 1e12]", 0, kHuge, false, false},
+      {"kappa", "a number in [0, 1]", 0, 1, false, false},
+  };
+  return table;
+}
+
+std::optional<std::pair<std::size_t, std::string>> bsdf_row_fault(std::span<const double> row) {
+  if (row[kTauMin] <= row[kTauMax]) return std::nullopt;
+  return std::pair{std::size_t{kTauMin},
+                   fmt::format("must be at most tau_max = {}, got {}", row[kTauMax], row[kTauMin])};
+}
 
 BsdfGrid sort_to_grid(const CsvNumbers& rows) {
   std::array<std::vector<double>, 6> axes;

@@ -1,11 +1,16 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
 #include <vector>
 
 namespace evenglow::tracer {
 
 class CsvNumbers;
+struct CsvColumn;
 
 /// Columns of a BSDF table, in the order of the indices below.
 enum BsdfColumn : std::size_t {
@@ -23,6 +28,10 @@ enum BsdfColumn : std::size_t {
   kDeltaSe,
   kKappa
 };
+
+/// The columns with what each may hold, and what is wrong with a whole row (`CsvNumbers::RowCheck`).
+const std::vector<CsvColumn>& bsdf_columns();
+std::optional<std::pair<std::size_t, std::string>> bsdf_row_fault(std::span<const double> row);
 
 /// Rows of a BSDF table sorted to its grid: kind slowest, then lambda, psi, sigma, theta, phi.
 struct BsdfGrid {

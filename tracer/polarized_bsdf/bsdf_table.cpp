@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include <fmt/format.h>
-
 #include "core/base/units.h"
 #include "tracer/polarized_bsdf/bsdf_grid.h"
 #include "tracer/polarized_bsdf/csv_numbers.h"
@@ -12,37 +10,11 @@
 namespace evenglow::tracer {
 namespace {
 
-constexpr double kHuge = 1e12;
 /// Least S, as a share of the table's largest, whose logarithm is taken: a node of zero must not pull its neighbors
 /// down to nothing.
 constexpr double kSmallestShare = 1e-12;
 /// Up to here S is a function of theta^2 (a smooth peak), rad; the margin is rounding of the degrees.
 constexpr double kPeak = 10.0 * core::kRadPerDeg + 1e-9;
-
-const std::vector<CsvColumn>& columns() {
-  static const std::vector<CsvColumn> table{
-      {"kind", "BRDF or BTDF", 0, 0, false, true, {"BRDF", "BTDF"}},
-      {"psi_deg", "a number in [0, 180)", 0, 180, true},
-      {"sigma_deg", "a number in [0, 90)", 0, 90, true},
-      {"phi_deg", "a number in [0, 360)", 0, 360, true},
-      {"theta_deg", "a number in [0, 180)", 0, 180, true},
-      {"lambda_nm", "a number in [100, 10000]", 100, 10000},
-      {"tau_min", "a number in [0, 1e12]", 0, kHuge},
-      {"tau_max", "a number in [0, 1e12]", 0, kHuge},
-      {"delta_deg", "a number in [-360, 360]", -360, 360},
-      {"tau_min_se", "a number in [0, 1e12]", 0, kHuge, false, false},
-      {"tau_max_se", "a number in [0, 1e12]", 0, kHuge, false, false},
-      {"delta_se_deg", "a number in [0, 1e12]", 0, kHuge, false, false},
-      {"kappa", "a number in [0, 1]", 0, 1, false, false},
-  };
-  return table;
-}
-
-std::optional<std::pair<std::size_t, std::string>> row_fault(std::span<const double> row) {
-  if (row[kTauMin] <= row[kTauMax]) return std::nullopt;
-  return std::pair{std::size_t{kTauMin},
-                   fmt::format("must be at most tau_max = {}, got {}", row[kTauMax], row[kTauMin])};
-}
 
 std::vector<double> radians(std::vector<double> degrees) {
   for (double& value : degrees) value *= core::kRadPerDeg;
@@ -67,11 +39,11 @@ Bracket bracket(const std::vector<double>& nodes, double x, Coordinate&& coordin
 }  // namespace
 
 BsdfTable BsdfTable::read(const std::filesystem::path& file) {
-  return BsdfTable(CsvNumbers::read(file, columns(), row_fault));
+  return BsdfTable(CsvNumbers::read(file, bsdf_columns(), bsdf_row_fault));
 }
 
 BsdfTable BsdfTable::parse(std::string_view text, std::string name) {
-  return BsdfTable(CsvNumbers::parse(text, std::move(name), columns(), row_fault));
+  return BsdfTable(CsvNumbers::parse(text, std::move(name), bsdf_columns(), bsdf_row_fault));
 }
 
 BsdfTable::BsdfTable(const CsvNumbers& numbers)
@@ -94,6 +66,24 @@ BsdfTable::BsdfTable(const CsvNumbers& numbers)
                        optional(row, kTauMinSe, 0.0), optional(row, kTauMaxSe, 0.0),
                        optional(row, kDeltaSe, 0.0) * core::kRadPerDeg});
     }
+  }
+  prepare_logs();
+}
+
+BsdfTable BsdfTable::from_nodes(std::string name, Axes axes, std::array<std::vector<Node>, 2> nodes) {
+  return BsdfTable(std::move(name), std::move(axes), std::move(nodes));
+}
+
+BsdfTable::BsdfTable(std::string name, Axes axes, std::array<std::vector<Node>, 2> nodes)
+    : name_(std::move(name)),
+      axes_(std::move(axes)),
+      psi_spline_(axes_.psi, core::kPi),
+      phi_spline_(axes_.phi, 2.0 * core::kPi),
+      nodes_(std::move(nodes)) {
+  const std::size_t count =
+      axes_.psi.size() * axes_.sigma.size() * axes_.phi.size() * axes_.theta.size() * axes_.lambda_nm.size();
+  for (const auto& kind : nodes_) {
+    core::expects(kind.empty() || kind.size() == count, "a table holds a row for every node of its grid");
   }
   prepare_logs();
 }

@@ -64,6 +64,9 @@ class BsdfTable {
   static BsdfTable read(const std::filesystem::path& file);
   static BsdfTable parse(std::string_view text, std::string name);
 
+  /// A table made in memory. `nodes`: by kind, an absent kind empty; index lambda slowest, then psi, sigma, theta, phi.
+  static BsdfTable from_nodes(std::string name, Axes axes, std::array<std::vector<Node>, 2> nodes);
+
   const std::string& name() const { return name_; }
   const Axes& axes() const { return axes_; }
   double least_kappa() const;  ///< over all nodes
@@ -82,6 +85,7 @@ class BsdfTable {
     double log_S = 0.0, x = 0.0, y = 0.0;
   };
   explicit BsdfTable(const CsvNumbers& numbers);
+  BsdfTable(std::string name, Axes axes, std::array<std::vector<Node>, 2> nodes);
   std::size_t index(std::size_t psi, std::size_t sigma, std::size_t phi, std::size_t theta, std::size_t lambda) const;
   void prepare_logs();
 

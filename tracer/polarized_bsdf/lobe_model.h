@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "tracer/polarized_bsdf/bsdf_table.h"
-#include "tracer/polarized_bsdf/hemispherical_table.h"
 #include "tracer/polarized_bsdf/lobe_parameters.h"
 
 namespace evenglow::tracer {
@@ -87,8 +86,5 @@ class LobeModel {
   LobeParameters parameters_;
   std::array<std::array<Part, 2>, 2> parts_;  ///< by kind, then light
 };
-
-/// The model's totals at every degree of incidence.
-HemisphericalTable lobe_hemispherical(const LobeModel& model);
 
 }  // namespace evenglow::tracer

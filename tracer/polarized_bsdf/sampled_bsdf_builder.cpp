@@ -124,8 +124,29 @@ std::vector<ResampledPoint> Resampler::resampled(ScatterKind kind, double psi, d
       points[k * (shape_.u + 1) + i] = value(static_cast<double>(i), static_cast<double>(k));
     }
   }
-  if (psi != 0.0 || sigma > kReported) return points;
-  // In the middle of each interval of u, where linear interpolation is worst, weighted by flux.
+  if (psi == 0.0 && sigma <= kReported) note_error(points, value);
+  unbias(points);
+  return points;
+}
+
+/// Linear interpolation between exact values lies above a convex function: f'' h^2 / 12 on average over an interval.
+/// Taking that off each line's value makes the mean error vanish and more than halves its RMS (what is left is the
+/// least-squares fit of a piecewise linear function). Along u; S is even in u, so the line beyond u = 0 is the first one.
+void Resampler::unbias(std::vector<ResampledPoint>& points) const {
+  std::vector<double> S(shape_.u + 1);
+  for (std::size_t k = 0; k < shape_.phi; ++k) {
+    ResampledPoint* const line = &points[k * (shape_.u + 1)];
+    for (std::size_t i = 0; i <= shape_.u; ++i) S[i] = line[i].S;
+    for (std::size_t i = 0; i < shape_.u; ++i) {
+      const double bend = S[i == 0 ? 1 : i - 1] - 2.0 * S[i] + S[i + 1];
+      line[i].S = std::max(0.5 * S[i], S[i] - bend / 12.0);
+    }
+  }
+}
+
+/// Notes the error in the middle of each interval of u, where linear interpolation is worst, weighted by flux.
+template <typename Value>
+void Resampler::note_error(const std::vector<ResampledPoint>& points, const Value& value) {
   for (std::size_t k = 0; k < shape_.phi; ++k) {
     for (std::size_t i = 0; i < shape_.u; ++i) {
       const ResampledPoint* p = &points[k * (shape_.u + 1) + i];
@@ -135,7 +156,6 @@ std::vector<ResampledPoint> Resampler::resampled(ScatterKind kind, double psi, d
       error_weight_ += u * u * u * S;
     }
   }
-  return points;
 }
 
 void Resampler::normalize(std::vector<ResampledPoint>& points, const std::vector<double>& weights, double psi,

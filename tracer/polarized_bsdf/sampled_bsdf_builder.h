@@ -42,6 +42,9 @@ class Resampler {
  private:
   std::vector<double> grid_weights(double sigma) const;
   std::vector<ResampledPoint> resampled(ScatterKind kind, double psi, double sigma);
+  void unbias(std::vector<ResampledPoint>& points) const;
+  template <typename Value>
+  void note_error(const std::vector<ResampledPoint>& points, const Value& value);
   void normalize(std::vector<ResampledPoint>& points, const std::vector<double>& weights, double psi, double sigma,
                  double pass, double block);
   void limit(ResampledNode& node);

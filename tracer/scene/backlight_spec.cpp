@@ -1,11 +1,13 @@
 #include "tracer/scene/backlight_spec.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
+#include <set>
+
+#include <fmt/core.h>
 
 #include "core/base/units.h"
 #include "tracer/films/film_registry.h"
+#include "tracer/scene/density_file.h"
 
 namespace evenglow::tracer {
 namespace {
@@ -21,16 +23,21 @@ constexpr double kWavelength = 550.0;  // nm, the peak of V(lambda)
 Material read_material(const ConfigNode& node) {
   Material result = material("pmma", kWavelength);
   if (node.has("refractive_index")) {
-    if (node.has("material")) node.fault_at("material", "give either material or refractive_index, got both");
-    result.refractive_index = node.number({"refractive_index", "index of the plate, instead of a material", Range::closed(1.0001, 4), {}});
+    if (node.has("material")) {
+      node.fault_at("material", "must be left out where refractive_index is given, got both");
+      node.choice({"material", "material of the plate", material_names(), "pmma"});
+    }
+    result.refractive_index =
+        node.number({"refractive_index", "index of the plate, instead of a material", Range::closed(1.0001, 4), {}});
     result.absorption = 0.0;
   } else {
     const std::string name = node.choice({"material", "material of the plate", material_names(), "pmma"});
     result = material(name, kWavelength);
   }
   const double loss_per_m = result.absorption * core::kMmPerM;
-  result.absorption = node.number(
-      {"absorption_per_m", "bulk absorption; default: that of the material, 0 with a refractive_index", Range::closed(0, 1e5), loss_per_m});
+  result.absorption =
+      node.number({"absorption_per_m", "bulk absorption; default: that of the material, 0 with a refractive_index",
+                   Range::closed(0, 1e5), loss_per_m});
   return result;
 }
 
@@ -44,12 +51,16 @@ LightGuidePlateSpec read_plate(const ConfigNode& node) {
 }
 
 std::pair<int, int> read_cells(const ConfigNode& node, std::pair<int, int> fallback) {
-  const auto cells = node.numbers({"cells", "number of cells along x and along y", Range::closed(1, 4096), 2, 2,
+  const auto cells = node.numbers({"cells",
+                                   "number of cells along x and along y",
+                                   Range::closed(1, 4096),
+                                   2,
+                                   2,
                                    {{static_cast<double>(fallback.first), static_cast<double>(fallback.second)}}});
   if (cells.size() != 2) return fallback;
   for (const double n : cells) {
     if (n != static_cast<int>(n)) {
-      node.fault_at("cells", fmt::format("must be two whole numbers, got {}", n));
+      node.fault_at("cells", fmt::format("must be whole numbers, got {}", n));
       return fallback;
     }
   }
@@ -58,6 +69,19 @@ std::pair<int, int> read_cells(const ConfigNode& node, std::pair<int, int> fallb
     return fallback;
   }
   return {static_cast<int>(cells[0]), static_cast<int>(cells[1])};
+}
+
+/// The key `density_file`: the map takes the place of `density`, and its cells that of `cells`.
+void read_density_map(const ConfigNode& node, MicrostructureSpec& spec) {
+  const auto path =
+      node.file({"density_file", "density at the start as a map, in the form of density.csv; its cells replace `cells`",
+                 std::string()});
+  if (path.empty()) return;
+  const auto matrix = node.guarded("density_file", [&] { return read_density_file(path); });
+  if (!matrix) return;
+  spec.nx = matrix->nx;
+  spec.ny = matrix->ny;
+  spec.density_map = matrix->values;
 }
 
 std::optional<MicrostructureSpec> read_microstructure(const ConfigNode& backlight, bool has_plate) {
@@ -73,16 +97,19 @@ std::optional<MicrostructureSpec> read_microstructure(const ConfigNode& backligh
   MicrostructureSpec spec;
   spec.face = read_side(node, {"face", "patterned face", {"bottom", "top"}, "bottom"});
   std::tie(spec.nx, spec.ny) = read_cells(node, {96, 48});
-  spec.density = node.number({"density", "share of the area under microstructure at the start, every cell", Range::closed(0, 1), 0.1});
+  spec.density = node.number(
+      {"density", "share of the area under microstructure at the start, every cell", Range::closed(0, 1), 0.1});
+  read_density_map(node, spec);
   if (auto shape = microstructure_registry().make(node, "printed_dot")) spec.shape = std::move(*shape);
   return spec;
 }
 
 void read_reflectors(const ConfigNode& backlight, BacklightSpec& spec) {
-  const ConfigNode node = backlight.map("reflectors", "sheets behind and beside the plate; a side that is left out is open");
+  const ConfigNode node =
+      backlight.map("reflectors", "sheets behind and beside the plate; a side that is left out is open");
   for (int i = 0; i < kSides; ++i) {
-    const char* name = side_name(static_cast<Side>(i));
-    if (node.has(name)) spec.reflectors[static_cast<std::size_t>(i)] = make_reflector(node.map(name, "sheet at this side"));
+    const ConfigNode sheet = node.map(side_name(static_cast<Side>(i)), "sheet at this side");
+    if (sheet.present()) spec.reflectors[static_cast<std::size_t>(i)] = make_reflector(sheet);
   }
 }
 
@@ -106,8 +133,11 @@ void read_sources(const ConfigNode& backlight, BacklightSpec& spec) {
     spec.source_kinds.push_back(source->kind);
     const auto& reflector = spec.reflectors[static_cast<std::size_t>(source->side)];
     if (source->kind == "led_row" && reflector && reflector->gap < spec.sources.back()->gap()) {
-      node.fault_at("gap_mm", fmt::format("must not be larger than that of the {} reflector ({} mm), got {} mm: the LEDs would stand behind it",
-                                          side_name(source->side), reflector->gap, spec.sources.back()->gap()));
+      node.fault_at(
+          "gap_mm",
+          fmt::format(
+              "must not be larger than that of the {} reflector ({} mm), got {} mm: the LEDs would stand behind it",
+              side_name(source->side), reflector->gap, spec.sources.back()->gap()));
     }
   }
 }
@@ -140,8 +170,11 @@ void read_luminance(const ConfigNode& node, BacklightSpec& spec) {
   spec.luminance.cells = active_area(node, spec.area, read_cells(node, {whole.nx, whole.ny}));
   spec.luminance.cone = node.number({"cone_deg", "half angle of the viewing cone about the display's normal",
                                      Range::closed(0.5, 90), spec.luminance.cone / core::kRadPerDeg});
-  const std::string estimator = node.choice(
-      {"estimator", "how the luminance is estimated: at the topmost scattering film, by counting, or what fits", {"auto", "next_event", "counting"}, "auto"});
+  const std::string estimator =
+      node.choice({"estimator",
+                   "how the luminance is estimated: at the topmost scattering film, by counting, or what fits",
+                   {"auto", "next_event", "counting"},
+                   "auto"});
   if (estimator == "next_event" && spec.luminance.estimator == LuminanceEstimator::kCounting) {
     node.fault_at("estimator", "next_event needs a film that scatters (diffuser or a dbef with a table), got none");
   }
@@ -159,18 +192,23 @@ void default_luminance(BacklightSpec& spec) {
 
 void read_receivers(const ConfigNode& backlight, BacklightSpec& spec) {
   const auto nodes = backlight.maps("receivers", "what is measured; by default all three kinds", 10);
-  bool luminance = false;
+  std::set<std::string> seen;
   default_luminance(spec);
   for (const ConfigNode& node : nodes) {
-    const std::string kind = node.choice({"kind", "luminance: of each cell; flux: the energy account (always kept); angular: luminance by viewing direction", {"luminance", "flux", "angular"}, {}});
+    const std::string kind = node.choice(
+        {"kind",
+         "luminance: of each cell; flux: the energy account (always kept); angular: luminance by viewing direction",
+         {"luminance", "flux", "angular"},
+         {}});
+    if (!seen.insert(kind).second) node.fault(fmt::format("there must be one {} receiver at most, got another", kind));
     if (kind == "luminance") {
-      if (luminance) node.fault("only one luminance receiver is allowed, got another");
-      luminance = true;
       read_luminance(node, spec);
     } else if (kind == "angular") {
       AngularReceiverSpec angular;
-      angular.polar_count = static_cast<int>(node.integer({"polar_count", "bins of the polar angle from 0 to 90 degrees", 1, 180, 18}));
-      angular.azimuth_count = static_cast<int>(node.integer({"azimuth_count", "bins of the azimuth from 0 to 360 degrees", 1, 360, 24}));
+      angular.polar_count =
+          static_cast<int>(node.integer({"polar_count", "bins of the polar angle from 0 to 90 degrees", 1, 180, 18}));
+      angular.azimuth_count =
+          static_cast<int>(node.integer({"azimuth_count", "bins of the azimuth from 0 to 360 degrees", 1, 360, 24}));
       spec.angular = angular;
     }
   }
@@ -195,6 +233,10 @@ BacklightSpec read_backlight(const ConfigNode& backlight) {
   if (backlight.has("light_guide_plate")) {
     spec.plate = read_plate(backlight.map("light_guide_plate", "the clear plate; left out: none"));
     spec.area = plate_box(*spec.plate);
+    if (backlight.has("size")) {
+      backlight.fault_at("size", "must be left out where there is a light_guide_plate, whose length and width count");
+      backlight.map("size", "size of the backlight, if it has no plate").mark_read();
+    }
   } else {
     spec.area = bare_area(backlight);
   }

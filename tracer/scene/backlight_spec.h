@@ -20,9 +20,9 @@
 namespace evenglow::tracer {
 
 struct LightGuidePlateSpec {
-  double length = 140.0;    ///< mm, along x
-  double width = 66.0;      ///< mm, along y
-  double thickness = 0.6;   ///< mm
+  double length = 140.0;   ///< mm, along x
+  double width = 66.0;     ///< mm, along y
+  double thickness = 0.6;  ///< mm
   Material material;
 };
 
@@ -30,12 +30,13 @@ struct MicrostructureSpec {
   Side face = Side::kBottom;  ///< bottom or top
   int nx = 96;
   int ny = 48;
-  double density = 0.1;  ///< at the start, every cell
+  double density = 0.1;             ///< at the start, every cell
+  std::vector<double> density_map;  ///< at the start, index iy * nx + ix; empty: `density` everywhere
   Microstructure shape;
 };
 
 struct LuminanceReceiverSpec {
-  core::CellGrid cells;  ///< active area, mm
+  core::CellGrid cells;                   ///< active area, mm
   double cone = 10.0 * core::kRadPerDeg;  ///< half angle, rad
   LuminanceEstimator estimator = LuminanceEstimator::kNextEvent;
 };

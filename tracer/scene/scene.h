@@ -17,7 +17,8 @@
 
 namespace evenglow::tracer {
 
-/// A rectangle of a surface with optics of its own (an LED in its frame), in coordinates along the surface's x and y axes.
+/// A rectangle of a surface with optics of its own (an LED in its frame), in coordinates along the surface's x and y
+/// axes.
 struct SurfaceWindow {
   double min_x, max_x, min_y, max_y;  ///< mm
   const Bsdf* optics;
@@ -26,10 +27,12 @@ struct SurfaceWindow {
 
 /// What a quad of the ray caster is.
 struct Surface {
-  core::Vec3 x = core::Vec3::UnitX(), y = core::Vec3::UnitY(), normal = core::Vec3::UnitZ();  ///< local axes, right-handed; the normal of a body's face points out of the body
+  core::Vec3 x = core::Vec3::UnitX(), y = core::Vec3::UnitY(),
+             normal =
+                 core::Vec3::UnitZ();  ///< local axes, right-handed; the normal of a body's face points out of the body
   const Bsdf* optics = nullptr;
-  const Bsdf* pattern = nullptr;     ///< microstructure that the density field rules, or null
-  int part = 0;                      ///< who absorbs, index in the energy account
+  const Bsdf* pattern = nullptr;  ///< microstructure that the density field rules, or null
+  int part = 0;                   ///< who absorbs, index in the energy account
   int pattern_part = 0;
   int body = -1;                     ///< the dielectric body that this face bounds, -1: none
   bool is_viewed_scatterer = false;  ///< the topmost scattering film, where the next-event estimate is made
@@ -49,14 +52,15 @@ struct ViewedFilm {
   std::optional<DielectricSheet> sheet;
 };
 
-/// Where the photons of a source start: on a quad of their own, on one of a row of quads (the photon's `quad` counts from the
-/// first), or on none.
+/// Where the photons of a source start: on a quad of their own, on one of a row of quads (the photon's `quad` counts
+/// from the first), or on none.
 struct SourcePlacement {
   int first_quad = -1;
   bool quad_per_window = false;
 };
 
-/// A compiled backlight: immutable, shared by all photons. What the designer turns, the DensityField, is not part of it.
+/// A compiled backlight: immutable, shared by all photons. What the designer turns, the DensityField, is not part of
+/// it.
 struct Scene {
   BacklightSpec spec;  ///< owns films, reflectors, shapes and sources
   Box box;             ///< what leaves it has left the backlight

@@ -26,9 +26,18 @@ class SceneBuilder {
     std::optional<AngularReceiver> angular;
     if (spec_.angular) angular.emplace(spec_.angular->polar_count, spec_.angular->azimuth_count);
     const LuminanceReceiver luminance(spec_.luminance.cells, spec_.luminance.cone);
-    return Scene{std::move(spec_), box_, std::make_unique<RayCaster>(std::move(quads_)), std::move(surfaces_),
-                 std::move(bodies_), std::move(faces_), std::move(source_placements_), flux, std::move(viewed_films_),
-                 luminance, FluxReceiver(std::move(parts_)), angular};
+    return Scene{std::move(spec_),
+                 box_,
+                 std::make_unique<RayCaster>(std::move(quads_)),
+                 std::move(surfaces_),
+                 std::move(bodies_),
+                 std::move(faces_),
+                 std::move(source_placements_),
+                 flux,
+                 std::move(viewed_films_),
+                 luminance,
+                 FluxReceiver(std::move(parts_)),
+                 angular};
   }
 
  private:
@@ -54,7 +63,8 @@ class SceneBuilder {
     for (int i = 0; i < kSides; ++i) {
       const auto side = static_cast<Side>(i);
       const auto& reflector = spec_.reflectors[static_cast<std::size_t>(i)];
-      if (reflector) (is_upper(side) ? box.max : box.min)[axis_of(side)] += is_upper(side) ? reflector->gap : -reflector->gap;
+      if (reflector)
+        (is_upper(side) ? box.max : box.min)[axis_of(side)] += is_upper(side) ? reflector->gap : -reflector->gap;
     }
     return box;
   }
@@ -73,7 +83,8 @@ class SceneBuilder {
   }
 
   void add_plate() {
-    add_body(spec_.area, spec_.plate->material.refractive_index, spec_.plate->material.absorption, part("light_guide_plate"));
+    add_body(spec_.area, spec_.plate->material.refractive_index, spec_.plate->material.absorption,
+             part("light_guide_plate"));
     if (!spec_.microstructure) return;
     Surface& face = surfaces_[static_cast<std::size_t>(spec_.microstructure->face)];
     face.pattern = spec_.microstructure->shape.surface.get();
@@ -181,7 +192,10 @@ DensityField initial_density(const BacklightSpec& spec) {
     return core::CellGrid::over(nx, ny, area.min.x(), area.min.y(), area.max.x(), area.max.y());
   };
   if (!spec.microstructure) return {core::CellField(grid(1, 1), 0.0)};
-  return {core::CellField(grid(spec.microstructure->nx, spec.microstructure->ny), spec.microstructure->density)};
+  const MicrostructureSpec& pattern = *spec.microstructure;
+  DensityField field{core::CellField(grid(pattern.nx, pattern.ny), pattern.density)};
+  if (!pattern.density_map.empty()) field.cells.values = pattern.density_map;
+  return field;
 }
 
 Scene compile_scene(BacklightSpec spec) {

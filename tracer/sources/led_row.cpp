@@ -79,18 +79,26 @@ void check_fits(const core::ConfigNode& node, const LedRowKeys& keys, const Box&
   const double pitch = keys.pitch.value_or(length / keys.count);
   const double row = pitch * (keys.count - 1) + keys.width;
   constexpr double kSlack = 1e-9;
+  const char* edge = side_name(keys.edge);
   if (keys.height > thickness + kSlack) {
-    node.fault_at("size_mm", fmt::format("the LED must not be higher than the plate ({} mm), got {} mm", thickness, keys.height));
+    node.fault_at("size_mm", fmt::format("the LED must not be higher than the plate ({:.6g} mm), got {:.6g} mm",
+                                         thickness, keys.height));
   }
   if (keys.width > length + kSlack) {
-    node.fault_at("size_mm", fmt::format("the LED must not be wider than the {} edge ({} mm), got {} mm",
-                                         side_name(keys.edge), length, keys.width));
+    node.fault_at("size_mm", fmt::format("the LED must not be wider than the {} edge ({:.6g} mm), got {:.6g} mm", edge,
+                                         length, keys.width));
+  } else if (keys.count * keys.width > length + kSlack) {
+    node.fault_at("count",
+                  fmt::format("{} LEDs of {:.6g} mm must not be longer side by side than the {} edge ({:.6g} mm), got "
+                              "{:.6g} mm",
+                              keys.count, keys.width, edge, length, keys.count * keys.width));
+  } else if (keys.count > 1 && keys.width > pitch + kSlack) {
+    node.fault_at("pitch_mm", fmt::format("the pitch must not be less than the LED's width ({:.6g} mm), got {:.6g} mm",
+                                          keys.width, pitch));
   } else if (row > length + kSlack) {
-    node.fault_at("pitch_mm", fmt::format("the row must not be longer than the {} edge ({} mm), got {} mm",
-                                          side_name(keys.edge), length, row));
-  }
-  if (keys.count > 1 && keys.width > pitch + kSlack) {
-    node.fault_at("pitch_mm", fmt::format("the pitch must not be less than the LED's width ({} mm), got {} mm", keys.width, pitch));
+    node.fault_at("pitch_mm",
+                  fmt::format("the row of {} LEDs must not be longer than the {} edge ({:.6g} mm), got {:.6g} mm",
+                              keys.count, edge, length, row));
   }
 }
 
@@ -99,11 +107,18 @@ void check_fits(const core::ConfigNode& node, const LedRowKeys& keys, const Box&
 SourceSpec make_led_row(const core::ConfigNode& node) {
   using core::Range;
   LedRowKeys keys;
-  keys.edge = read_side(node, {"edge", "edge of the plate that the row stands at", {"left", "right", "front", "back"}, "left"});
+  keys.edge =
+      read_side(node, {"edge", "edge of the plate that the row stands at", {"left", "right", "front", "back"}, "left"});
   keys.count = static_cast<int>(node.integer({"count", "number of LEDs", 1, 10000, 12}));
-  keys.pitch = node.optional_number({"pitch_mm", "distance from LED to LED; default: the edge shared evenly", Range::positive(10000)});
-  const std::vector<double> size = node.numbers(
-      {"size_mm", "emitting window: width along the edge, height in the plate's thickness", Range::positive(1000), 2, 2, {{2.6, 0.4}}});
+  keys.pitch = node.optional_number(
+      {"pitch_mm", "distance from LED to LED; default: the edge shared evenly", Range::positive(10000)});
+  const std::vector<double> size =
+      node.numbers({"size_mm",
+                    "emitting window: width along the edge, height in the plate's thickness",
+                    Range::positive(1000),
+                    2,
+                    2,
+                    {{2.6, 0.4}}});
   if (size.size() == 2) {
     keys.width = size[0];
     keys.height = size[1];
@@ -115,8 +130,9 @@ SourceSpec make_led_row(const core::ConfigNode& node) {
   if (pattern == "cosine_power") {
     keys.exponent = node.number({"exponent", "n of the intensity cos^n", Range::closed(0.1, 1000), 1.0});
   }
-  keys.reflectance = node.number(
-      {"reflectance", "reflectance of the window for light that comes back to it, Lambertian", Range::closed(0, 1), 0.5});
+  keys.reflectance =
+      node.number({"reflectance", "reflectance of the window for light that comes back to it, Lambertian",
+                   Range::closed(0, 1), 0.5});
   return {"led_row", keys.edge, [node, keys](const SourcePlace& place) -> SourcePointer {
             check_fits(node, keys, place.box);
             return std::make_unique<LedRow>(keys, place.box);

@@ -1,0 +1,36 @@
+#include "app/text_output.h"
+
+#include <fstream>
+#include <system_error>
+
+#include "core/base/error.h"
+
+namespace evenglow::app {
+
+void require_free(const std::vector<std::filesystem::path>& paths) {
+  std::vector<core::Fault> faults;
+  for (const auto& path : paths) {
+    std::error_code error;
+    if (!std::filesystem::exists(path, error)) continue;
+    faults.push_back({path.string(), 0, 0, {}, "must be a new file, got one that is there (--overwrite replaces it)"});
+  }
+  if (!faults.empty()) throw core::ConfigError(std::move(faults));
+}
+
+void write_whole(const std::filesystem::path& path, const std::string& text) {
+  std::error_code error;
+  if (path.has_parent_path()) std::filesystem::create_directories(path.parent_path(), error);
+  std::filesystem::path beside = path;
+  beside += ".part";
+  std::ofstream stream(beside, std::ios::binary | std::ios::trunc);
+  stream << text << std::flush;
+  const bool written = static_cast<bool>(stream);
+  stream.close();
+  if (written) std::filesystem::rename(beside, path, error);
+  if (written && !error) return;
+  std::error_code ignored;
+  std::filesystem::remove(beside, ignored);
+  throw core::Error("cannot write " + path.string() + (error ? ": " + error.message() : ""));
+}
+
+}  // namespace evenglow::app

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace evenglow::app {
+
+/// Refuses (`core::ConfigError`) paths that exist: only `--overwrite` may replace them.
+void require_free(const std::vector<std::filesystem::path>& paths);
+
+/// Writes a file whole or not at all: beside it first, then renamed. Makes the directory if there is none. Throws
+/// `core::Error`.
+void write_whole(const std::filesystem::path& path, const std::string& text);
+
+}  // namespace evenglow::app

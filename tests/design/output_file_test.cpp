@@ -1,0 +1,28 @@
+#include "design/report/output_file.h"
+
+#include <gtest/gtest.h>
+
+#include "core/base/error.h"
+#include "tests/design/report_samples.h"
+
+namespace evenglow::design {
+namespace {
+
+TEST(OutputFile, ReplacesTheWholeFile) {
+  const samples::Folder folder("output");
+  write_file(folder.path() / "a", "a long content\n");
+  write_file(folder.path() / "a", std::string("b\0c", 3));
+  EXPECT_EQ(samples::content(folder.path() / "a"), std::string("b\0c", 3));
+}
+
+TEST(OutputFile, FullDiskLeavesTheOldFileAsItWas) {
+  if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "no /dev/full here";
+  const samples::Folder folder("full");
+  write_file(folder.path() / "a", "old");
+  std::filesystem::create_symlink("/dev/full", folder.path() / "a.part");
+  EXPECT_THROW(write_file(folder.path() / "a", "new"), core::Error);
+  EXPECT_EQ(samples::content(folder.path() / "a"), "old");
+}
+
+}  // namespace
+}  // namespace evenglow::design
