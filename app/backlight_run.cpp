@@ -171,6 +171,12 @@ std::optional<Report> run_design_job(Run run, const RunContext& context) {
   const design::ForwardModel model = make_model(scene, run, context);
   const auto observer = [&](const design::StepRecord& record, const design::DesignProgress& state) {
     context.progress.line(label(run, describe(record)));
+    if (!(record.luminance_mean > 0.0)) {
+      throw core::Error(label(
+          run, fmt::format("no light reached the display's active area in step {}: a design needs films that let it "
+                           "pass, and photons enough",
+                           record.step)));
+    }
     if (!context.checkpoint.empty()) save_checkpoint(context.checkpoint, run_identity, state);
     context.progress.begin(label(run, fmt::format("step {}", record.step + 1)));
   };

@@ -44,7 +44,7 @@ void add_trace_options(CLI::App& command, Options& options, bool resumes) {
   command.add_option("-o,--out", options.out, "directory for the results (default: out/<name of the file>)")
       ->type_name("DIR");
   command.add_option("--threads", options.threads, "threads (default 0: all; the result does not depend on it)")
-      ->check(CLI::Range(0, 4096))
+      ->check(CLI::Range(0, 4096).description(""))
       ->type_name("N");
   command.add_flag("--quiet", options.quiet, "no progress on stderr");
   command.add_flag("--overwrite", options.overwrite, "replace a result that is in the directory");
@@ -92,6 +92,7 @@ int refuse(const CLI::App& program, const CLI::ParseError& error, int argc, char
   std::string help = "evenglow --help";
   if (message.empty()) {
     message = evenglow::core::one_line(error.what());
+    if (message == "A subcommand is required") message = "a command is required";
     if (argc > 1 && program.got_subcommand(argv[1])) help = std::string("evenglow ") + argv[1] + " --help";
   }
   fmt::print(stderr, "evenglow: {} ({} tells more)\n", message, help);
@@ -104,7 +105,6 @@ int run(int argc, char** argv) {
       "Monte Carlo. Lengths are mm, angles degrees, flux lm, luminance cd/m2.",
       "evenglow");
   program.get_formatter()->label("SUBCOMMAND", "COMMAND");
-  program.get_formatter()->label("Subcommands", "Commands");
   program.set_version_flag("--version", "evenglow " + std::string(evenglow::core::version()));
   program.require_subcommand(1);
   program.footer(
@@ -121,6 +121,7 @@ int run(int argc, char** argv) {
   }
   evenglow::app::FilmGroup films;
   films.add_to(program);
+  for (CLI::App* command : program.get_subcommands([](CLI::App*) { return true; })) command->group("Commands");
   try {
     program.parse(argc, argv);
   } catch (const CLI::Success& success) {

@@ -14,21 +14,6 @@ namespace {
 
 using core::ConfigDocument;
 
-/// The options of the command line as overrides.
-std::vector<ConfigDocument::Override> option_overrides(const Options& options) {
-  std::vector<ConfigDocument::Override> result;
-  for (const std::string& text : options.set) {
-    const std::size_t equals = text.find('=');
-    if (equals == std::string::npos || equals == 0) {
-      throw core::ConfigError(core::Fault{"--set", 0, 0, "", "must be key=value, got \"" + text + "\""});
-    }
-    result.push_back({text.substr(0, equals), text.substr(equals + 1), "--set"});
-  }
-  if (options.seed) result.push_back({"trace.seed", *options.seed, "--seed"});
-  if (options.photons) result.push_back({"trace.photons", *options.photons, "--photons"});
-  return result;
-}
-
 void check_version(const core::ConfigNode& root) {
   const long long version = root.integer({"evenglow", "version of this format, 1", 1, 1000, {}});
   if (version == 1) return;
@@ -48,7 +33,7 @@ Run read(ConfigDocument& document, const std::vector<ConfigDocument::Override>& 
   if (!root.has("backlight")) root.fault_at("backlight", "must be given as a map of its parts, got nothing");
   const core::ConfigNode backlight = root.map("backlight", "the backlight");
   run.backlight = tracer::read_backlight(backlight);
-  if (purpose == Purpose::kDesign && !backlight.has("microstructure")) {
+  if (purpose == Purpose::kDesign && backlight.present() && !backlight.has("microstructure")) {
     backlight.fault_at("microstructure",
                        "must be given for a design, which changes its density, got nothing (simulate needs none)");
   }
@@ -65,6 +50,20 @@ Run read(ConfigDocument& document, const std::vector<ConfigDocument::Override>& 
 }
 
 }  // namespace
+
+std::vector<core::ConfigDocument::Override> option_overrides(const Options& options) {
+  std::vector<core::ConfigDocument::Override> result;
+  for (const std::string& text : options.set) {
+    const std::size_t equals = text.find('=');
+    if (equals == std::string::npos || equals == 0) {
+      throw core::ConfigError(core::Fault{"--set", 0, 0, "", "must be key=value, got \"" + text + "\""});
+    }
+    result.push_back({text.substr(0, equals), text.substr(equals + 1), "--set"});
+  }
+  if (options.seed) result.push_back({"trace.seed", *options.seed, "--seed"});
+  if (options.photons) result.push_back({"trace.photons", *options.photons, "--photons"});
+  return result;
+}
 
 Run read_run(const std::filesystem::path& file, const Options& options, Purpose purpose) {
   ConfigDocument document = ConfigDocument::load(file);

@@ -28,6 +28,9 @@ struct Run {
 /// What a run is read for: a design needs a microstructure whose density it can change.
 enum class Purpose { kTrace, kDesign };
 
+/// --set, --seed and --photons as changes of the run file. Throws ConfigError: a --set without a key or a value.
+std::vector<core::ConfigDocument::Override> option_overrides(const Options& options);
+
 /// Reads the run that the file describes, with the options laid over it; `variants` are left aside. Throws
 /// ConfigError with all faults.
 Run read_run(const std::filesystem::path& file, const Options& options, Purpose purpose = Purpose::kTrace);

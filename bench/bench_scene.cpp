@@ -26,6 +26,12 @@ films:
   - {kind: dbef, table: dbef.csv, hemispherical: dbef_hemispherical.csv, axis_deg: 0}
 )";
 
+constexpr const char* kIdealFilms = R"(
+films:
+  - {kind: diffuser, transmittance: 0.88, reflectance: 0.10, haze: 0.95, fwhm_deg: 60, depolarization: 0.3}
+  - {kind: dbef, axis_deg: 0}
+)";
+
 constexpr const char* kSamples = R"(
 size: {length_mm: 10, width_mm: 10}
 sources: [{kind: lambertian_face, face: bottom}]
@@ -56,15 +62,22 @@ BenchScene compiled(const std::string& yaml) {
   return {tracer::compile_scene(std::move(spec)), std::move(density)};
 }
 
+std::string luminance_receiver(const std::string& estimator) {
+  return "receivers: [{kind: luminance, cells: [96, 48], cone_deg: 10, estimator: " + estimator + "}]\n";
+}
+
 }  // namespace
 
 BenchScene slab_scene() {
-  return compiled(std::string(kSlab) + "receivers: [{kind: luminance, cells: [20, 12]}]\n");
+  return compiled(std::string(kSlab) + luminance_receiver("counting"));
 }
 
 BenchScene film_scene(const std::string& estimator) {
-  return compiled(std::string(kSlab) + kFilms + "receivers: [{kind: luminance, cells: [20, 12], cone_deg: 10, estimator: " +
-                  estimator + "}]\n");
+  return compiled(std::string(kSlab) + kFilms + luminance_receiver(estimator));
+}
+
+BenchScene ideal_film_scene(const std::string& estimator) {
+  return compiled(std::string(kSlab) + kIdealFilms + luminance_receiver(estimator));
 }
 
 tracer::BacklightSpec film_samples() {

@@ -1,11 +1,11 @@
-#include <benchmark/benchmark.h>
-
 #include <cmath>
 #include <memory>
 #include <vector>
 
 #include "bench/cpu_time.h"
 #include "bench/yardstick.h"
+#include <benchmark/benchmark.h>
+
 #include "core/math/sampling.h"
 #include "tracer/optics/dielectric_face.h"
 #include "tracer/optics/opaque_reflector.h"

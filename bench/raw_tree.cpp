@@ -1,8 +1,8 @@
 #include "bench/raw_tree.h"
 
-#include <embree3/rtcore.h>
-
 #include <limits>
+
+#include <embree3/rtcore.h>
 
 #include "tracer/transport/photon_history.h"
 
@@ -67,7 +67,8 @@ RawTree::RawTree(const std::vector<tracer::Quad>& quads) : handles_(std::make_un
   auto* indices = static_cast<unsigned*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT4,
                                                                  4 * sizeof(unsigned), quads.size()));
   for (const tracer::Quad& q : quads) {
-    for (const core::Vec3& p : {q.corner, core::Vec3(q.corner + q.u), core::Vec3(q.corner + q.u + q.v), core::Vec3(q.corner + q.v)}) {
+    for (const core::Vec3& p :
+         {q.corner, core::Vec3(q.corner + q.u), core::Vec3(q.corner + q.u + q.v), core::Vec3(q.corner + q.v)}) {
       for (int axis = 0; axis < 3; ++axis) *vertices++ = static_cast<float>(p[axis]);
     }
   }

@@ -17,8 +17,8 @@ struct Segment {
 /// The first `count` flights of the walks of photons 0, 1, 2, ...
 std::vector<Segment> record_segments(const BenchScene& bench, std::size_t count);
 
-/// The yardstick R: a plain `rtcIntersect1` on quads with the flags of tracer/geometry/ray_caster.cpp, without its filter
-/// and without the second, double-precision location of the hit.
+/// The yardstick R: a plain `rtcIntersect1` on quads with the flags of tracer/geometry/ray_caster.cpp, without its
+/// filter and without the second, double-precision location of the hit.
 class RawTree {
  public:
   explicit RawTree(const std::vector<tracer::Quad>& quads);

@@ -1,8 +1,8 @@
-#include <benchmark/benchmark.h>
-
 #include <cmath>
 
 #include "bench/bench_scene.h"
+#include <benchmark/benchmark.h>
+
 #include "core/montecarlo/batches.h"
 #include "tracer/transport/tracer.h"
 
@@ -16,7 +16,8 @@ struct TimedTrace {
 
 TimedTrace timed_trace(const BenchScene& bench, std::uint64_t photons, std::uint64_t seed, int threads) {
   const double begin = core::process_cpu_seconds();
-  auto result = tracer::trace(bench.scene, bench.density, {.photons = photons, .batches = 100, .key = {seed, 0, 0}, .threads = threads});
+  auto result = tracer::trace(bench.scene, bench.density,
+                              {.photons = photons, .batches = 100, .key = {seed, 0, 0}, .threads = threads});
   return {std::move(*result), core::process_cpu_seconds() - begin};
 }
 
@@ -36,11 +37,9 @@ double difference_in_errors(const core::Tally& a, const core::Tally& b) {
 }
 
 /// Figure of merit 1 / (variance x CPU time) per cell, next-event estimate over counting in the 10 degree cone.
-void luminance_estimators(benchmark::State& state) {
-  static const BenchScene counting = film_scene("counting");
-  static const BenchScene next_event = film_scene("next_event");
+void compare_estimators(benchmark::State& state, const BenchScene& counting, const BenchScene& next_event) {
   constexpr std::uint64_t kPhotons = 100'000;
-  static std::uint64_t seed = 0;
+  std::uint64_t seed = static_cast<std::uint64_t>(state.range(0));
   for (auto _ : state) {
     const TimedTrace by_count = timed_trace(counting, kPhotons, ++seed, 1);
     const TimedTrace by_event = timed_trace(next_event, kPhotons, ++seed, 1);
@@ -48,6 +47,18 @@ void luminance_estimators(benchmark::State& state) {
                              (variance_of(by_event.result.luminance) * by_event.cpu_seconds);
     state.counters["difference_se"] = difference_in_errors(by_count.result.luminance, by_event.result.luminance);
   }
+}
+
+void luminance_estimators(benchmark::State& state) {
+  static const BenchScene counting = film_scene("counting");
+  static const BenchScene next_event = film_scene("next_event");
+  compare_estimators(state, counting, next_event);
+}
+
+void luminance_estimators_ideal(benchmark::State& state) {
+  static const BenchScene counting = ideal_film_scene("counting");
+  static const BenchScene next_event = ideal_film_scene("next_event");
+  compare_estimators(state, counting, next_event);
 }
 
 /// CPU time per photon on all threads over that on one.
@@ -68,7 +79,14 @@ void threads(benchmark::State& state) {
   }
 }
 
-BENCHMARK(luminance_estimators)->Iterations(1)->Repetitions(5)->Unit(benchmark::kSecond);
+/// Five seeds take the place of repetitions, which would trace the same photons.
+void five_seeds(benchmark::internal::Benchmark* bench) {
+  for (int seed = 10; seed <= 50; seed += 10) bench->Arg(seed);
+  bench->Iterations(1)->Unit(benchmark::kSecond);
+}
+
+BENCHMARK(luminance_estimators)->Apply(five_seeds);
+BENCHMARK(luminance_estimators_ideal)->Apply(five_seeds);
 BENCHMARK(threads)->Iterations(1)->Repetitions(5)->Unit(benchmark::kSecond)->MeasureProcessCPUTime();
 
 }  // namespace

@@ -1,8 +1,8 @@
+#include "bench/cpu_time.h"
+#include "bench/unpolarized_face.h"
+#include "bench/yardstick.h"
 #include <benchmark/benchmark.h>
 
-
-#include "bench/cpu_time.h"
-#include "bench/yardstick.h"
 #include "tracer/transport/photon_history.h"
 
 namespace evenglow::bench {
@@ -10,37 +10,14 @@ namespace {
 
 constexpr std::uint64_t kPhotons = 500;  // of one slice, some milliseconds
 
-/// The walk as the tracer runs it.
-struct WholePhotons {
-  void operator()(const tracer::PhotonHistory& history, std::uint64_t photon, tracer::BatchSums& sums) const {
-    history.run({}, photon, sums);
-  }
-};
-
-/// Event by event; `kPolarized` false: the polarization is forgotten after each event.
-template <bool kPolarized>
-struct EventByEvent {
-  void operator()(const tracer::PhotonHistory& history, std::uint64_t photon, tracer::BatchSums& sums) const {
-    core::PhotonRng rng({}, photon);
-    auto walk = history.start(rng);
-    bool goes_on = true;
-    while (goes_on) {
-      sums.events[0] += 1.0;
-      goes_on = history.step(walk, rng, sums);
-      if constexpr (!kPolarized) walk.photon.light.Q = walk.photon.light.U = walk.photon.light.V = 0.0;
-    }
-  }
-};
-
 /// Photons of one scene, traced slice by slice.
-template <typename OnePhoton>
 class Walker {
  public:
   explicit Walker(const BenchScene& bench) : history_(bench.scene, bench.density), sums_(bench.scene) {}
 
   void slice() {
     seconds_ += cpu_seconds_of([&] {
-      for (std::uint64_t i = 0; i < kPhotons; ++i) OnePhoton()(history_, photons_ + i, sums_);
+      for (std::uint64_t i = 0; i < kPhotons; ++i) history_.run({}, photons_ + i, sums_);
     });
     photons_ += kPhotons;
   }
@@ -56,7 +33,7 @@ class Walker {
 };
 
 void walk(benchmark::State& state, MeasuredScene& scene) {
-  Walker<WholePhotons> walker(scene.bench);
+  Walker walker(scene.bench);
   scene.yardstick.reset();
   for (auto _ : state) {
     walker.slice();
@@ -69,9 +46,11 @@ void walk(benchmark::State& state, MeasuredScene& scene) {
   state.counters["events_per_photon"] = walker.events_per_photon();
 }
 
-void polarization(benchmark::State& state, MeasuredScene& scene) {
-  Walker<EventByEvent<true>> polarized(scene.bench);
-  Walker<EventByEvent<false>> unpolarized(scene.bench);
+/// `scene` against the same with faces that know no polarization.
+void polarization(benchmark::State& state, const BenchScene& scene, BenchScene without) {
+  forget_polarization(without);
+  Walker polarized(scene);
+  Walker unpolarized(without);
   for (auto _ : state) {
     polarized.slice();
     unpolarized.slice();
@@ -85,15 +64,20 @@ void slab_walk(benchmark::State& state) {
 void film_walk(benchmark::State& state) {
   walk(state, measured_films());
 }
+void film_walk_counting(benchmark::State& state) {
+  static MeasuredScene scene(film_scene("counting"));
+  walk(state, scene);
+}
 void slab_polarization(benchmark::State& state) {
-  polarization(state, measured_slab());
+  polarization(state, measured_slab().bench, slab_scene());
 }
 void film_polarization(benchmark::State& state) {
-  polarization(state, measured_films());
+  polarization(state, measured_films().bench, film_scene());
 }
 
 BENCHMARK(slab_walk)->Repetitions(7)->Unit(benchmark::kMillisecond);
 BENCHMARK(film_walk)->Repetitions(7)->Unit(benchmark::kMillisecond);
+BENCHMARK(film_walk_counting)->Repetitions(7)->Unit(benchmark::kMillisecond);
 BENCHMARK(slab_polarization)->Repetitions(7)->Unit(benchmark::kMillisecond);
 BENCHMARK(film_polarization)->Repetitions(7)->Unit(benchmark::kMillisecond);
 

@@ -1,8 +1,7 @@
 #include "bench/yardstick.h"
 
-#include <benchmark/benchmark.h>
-
 #include "bench/cpu_time.h"
+#include <benchmark/benchmark.h>
 
 namespace evenglow::bench {
 namespace {

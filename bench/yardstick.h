@@ -6,8 +6,8 @@
 
 namespace evenglow::bench {
 
-/// A scene with its yardstick: measures R in slices between the slices of what is held against it, so that both see the same
-/// clock rate and the same neighbors on the machine.
+/// A scene with its yardstick: measures R in slices between the slices of what is held against it, so that both see the
+/// same clock rate and the same neighbors on the machine.
 class Yardstick {
  public:
   explicit Yardstick(const BenchScene& bench);

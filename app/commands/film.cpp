@@ -20,6 +20,12 @@ constexpr FilmEntry kFilmCommands[] = {
      "evenglow film reconstruct readings.csv -o film.csv", make_film_reconstruct},
     {"check", "is a BSDF table physical? energy, reciprocity, grid, units; one line for each fault",
      "evenglow film check configs/data/dbef.csv", make_film_check},
+    {"goniometer", "virtual goniometer: luminance of a lit film, evaluated and traced, against measured tables",
+     "evenglow film goniometer configs/dbef_goniometer.yaml", make_film_goniometer},
+    {"fit", "fit the semi-empirical DBEF model to luminance tables; standard errors and cross-validation",
+     "evenglow film fit --reflection configs/data/dbef_reflection_luminance.csv --transmission "
+     "configs/data/dbef_transmission_luminance.csv -o fitted.yaml",
+     make_film_fit},
 };
 
 }  // namespace

@@ -24,6 +24,8 @@ class FilmCommand {
 
 std::unique_ptr<FilmCommand> make_film_reconstruct();
 std::unique_ptr<FilmCommand> make_film_check();
+std::unique_ptr<FilmCommand> make_film_goniometer();
+std::unique_ptr<FilmCommand> make_film_fit();
 
 /// `evenglow film ...`: readings, tables and measurements of polarizing films.
 class FilmGroup {

@@ -10,6 +10,7 @@
 #include "app/commands/commands.h"
 #include "app/commands/film.h"
 #include "app/text_output.h"
+#include "core/base/error.h"
 #include "core/montecarlo/batches.h"
 #include "tracer/polarized_bsdf/reconstruction.h"
 #include "tracer/polarized_bsdf/reconstruction_writer.h"

@@ -50,6 +50,9 @@ const HouseRules& house() {
               {"tracer/transport",
                {"tracer/scene", "tracer/geometry", "tracer/optics", "tracer/films", "tracer/microstructure",
                 "tracer/sources", "tracer/receivers", "core/config", "core/light", "core/math", "core/montecarlo"}},
+              {"tracer/goniometer",
+               {"tracer/films", "tracer/optics", "tracer/polarized_bsdf", "core/config", "core/light", "core/math",
+                "core/montecarlo"}},
 
               {"design/problem",
                {"core/config", "core/math", "core/montecarlo/estimate.h", "core/montecarlo/tally.h",
@@ -62,8 +65,8 @@ const HouseRules& house() {
                 "tracer/receivers", "core/config", "core/math", "core/montecarlo"}},
 
               {"app",
-               {"design", "tracer/polarized_bsdf", "tracer/scene", "tracer/transport", "core/config", "core/math",
-                "core/montecarlo"}},
+               {"design", "tracer/goniometer", "tracer/polarized_bsdf", "tracer/scene", "tracer/transport", "core/config",
+                "core/math", "core/montecarlo"}},
           },
       .libraries =
           {

@@ -11,7 +11,7 @@
 namespace evenglow::tests {
 
 const char* const kMirrorRoom =
-    "size: {length_mm: 20, width_mm: 10}, reflectors: {"
+    "size: {length_mm: 2000, width_mm: 1000}, reflectors: {"
     "left: {kind: mirror, reflectance: 1, gap_mm: 0.001}, right: {kind: mirror, reflectance: 1, gap_mm: 0.001}, "
     "front: {kind: mirror, reflectance: 1, gap_mm: 0.001}, back: {kind: mirror, reflectance: 1, gap_mm: 0.001}";
 

@@ -19,8 +19,10 @@ tracer::Scene scene_of(const std::string& flow_yaml);
 /// Shortest text that reads back as the same number, for YAML.
 std::string text_of(double number);
 
-/// A plate-free room of 20 x 10 mm whose four walls are ideal mirrors: films and a bottom that fill it see a world without
-/// borders (the walls show mirror images of it). A film's axis must lie along x or y, or its image is another film.
+/// A plate-free room of 2000 x 1000 mm whose four walls are ideal mirrors: films and a bottom that fill it see a world
+/// without borders (the walls show mirror images of it). A film's axis must lie along x or y, or its image is another
+/// film. So large that the 0.001 mm between area and walls are nothing. The map `reflectors` is left open: go on with
+/// `, bottom: {...}}` or `}`.
 extern const char* const kMirrorRoom;
 
 struct TraceSetup {

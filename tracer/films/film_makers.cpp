@@ -6,6 +6,7 @@
 
 #include "core/base/units.h"
 #include "tracer/films/dbef.h"
+#include "tracer/films/dbef_data.h"
 #include "tracer/films/diffuser.h"
 #include "tracer/films/ideal_polarizer.h"
 #include "tracer/films/lpp.h"
@@ -54,19 +55,12 @@ void read_ideal_dbef(const core::ConfigNode& node, Film& film) {
   film.surface = std::make_unique<IdealPolarizer>(p, film.axis, kDbefIndex);
 }
 
-void read_tabulated_dbef(const core::ConfigNode& node, Film& film) {
-  const auto path = node.file({"table", "polarized BSDF table (CSV); without it the film is specular", std::string()});
-  const double wavelength =
-      node.number({"wavelength_nm", "wavelength that the table is read at", {100, 10000, false, false}, 550.0});
-  std::optional<HemisphericalTable> totals;
-  if (node.has("hemispherical")) {
-    const auto totals_path = node.file({"hemispherical", "hemispherical totals that the table is normalized to (CSV)"});
-    totals = node.guarded("hemispherical", [&] { return HemisphericalTable::read(totals_path); });
-    if (!totals) return;
-  }
-  auto surface = node.guarded("table", [&] {
-    const BsdfTable table = BsdfTable::read(path);
-    return std::make_unique<TabulatedDbef>(table, wavelength, totals ? &*totals : nullptr, film.axis);
+void read_scattering_dbef(const core::ConfigNode& node, Film& film) {
+  const auto data = read_dbef_data(node);
+  if (!data) return;
+  auto surface = node.guarded(node.has("model") ? "model" : "table", [&] {
+    return std::make_unique<TabulatedDbef>(data->table, data->wavelength_nm, data->totals ? &*data->totals : nullptr,
+                                           film.axis);
   });
   if (!surface) return;
   film.remarks = (*surface)->remarks();
@@ -78,8 +72,8 @@ void read_tabulated_dbef(const core::ConfigNode& node, Film& film) {
 Film make_dbef(const core::ConfigNode& node) {
   Film film = film_of("dbef", node);
   film.axis = axis_of(node);
-  if (node.has("table")) {
-    read_tabulated_dbef(node, film);
+  if (has_dbef_data(node)) {
+    read_scattering_dbef(node, film);
   } else {
     if (node.has("hemispherical")) {
       node.fault_at("hemispherical", "must stand beside the table that it normalizes, got no table");

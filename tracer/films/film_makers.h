@@ -15,8 +15,9 @@ namespace evenglow::tracer {
 /// | dbef | table | polarized BSDF table; without it the film is specular | none |
 /// |  | hemispherical | with `table`: totals that the table is normalized to | none: its own |
 /// |  | wavelength_nm | with `table`: wavelength that it is read at | 550 |
-/// |  | transmittance_pass, reflectance_pass | without `table`: along the pass axis, sum at most 1 | 1, 0 |
-/// |  | transmittance_block, reflectance_block | without `table`: along the block axis, sum at most 1 | 0, 1 |
+/// |  | model | instead of `table`: map of the semi-empirical model's parameters (dbef_data.h); `{}` is the fitted DBEF | none |
+/// |  | transmittance_pass, reflectance_pass | without `table` or `model`: along the pass axis, sum at most 1 | 1, 0 |
+/// |  | transmittance_block, reflectance_block | likewise along the block axis, sum at most 1 | 0, 1 |
 /// | lpp | k1, k2 | transmittance along the pass and the block axis | 0.8596, 0.0004 |
 /// |  | reflectance | of any light; k1 + reflectance at most 1 | 0.04 |
 /// | diffuser | transmittance, reflectance | totals, sum at most 1 | 0.9, 0.1 |

@@ -108,7 +108,8 @@ RayHit RayCaster::nearest(const core::Vec3& origin, const core::Vec3& direction,
   query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
   rtcIntersect1(tree_->scene.get(), &context.context, &query);
   if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return {};
-  return locate(static_cast<int>(query.hit.primID), origin, direction);
+  const int quad = static_cast<int>(query.hit.primID);
+  return located(quad, distance_to(quad, origin, direction), origin, direction);
 }
 
 RayHit RayCaster::exit_of(std::span<const int> faces, const core::Vec3& origin, const core::Vec3& direction,
@@ -125,15 +126,20 @@ RayHit RayCaster::exit_of(std::span<const int> faces, const core::Vec3& origin, 
     }
   }
   if (nearest_face < 0) return {};
-  return locate(nearest_face, origin, direction);
+  return located(nearest_face, nearest_t, origin, direction);
 }
 
-RayHit RayCaster::locate(int quad, const core::Vec3& origin, const core::Vec3& direction) const {
+double RayCaster::distance_to(int quad, const core::Vec3& origin, const core::Vec3& direction) const {
   const Plane& plane = planes_[static_cast<std::size_t>(quad)];
-  const Quad& q = quads_[static_cast<std::size_t>(quad)];
   const double slope = plane.normal.dot(direction);
   // Parallel rays meet a plane only through rounding of the tree; they stay where they are.
-  const double t = slope != 0.0 ? std::max(0.0, (plane.offset - plane.normal.dot(origin)) / slope) : 0.0;
+  return slope != 0.0 ? (plane.offset - plane.normal.dot(origin)) / slope : 0.0;
+}
+
+RayHit RayCaster::located(int quad, double distance, const core::Vec3& origin, const core::Vec3& direction) const {
+  const Plane& plane = planes_[static_cast<std::size_t>(quad)];
+  const Quad& q = quads_[static_cast<std::size_t>(quad)];
+  const double t = std::max(0.0, distance);
   const core::Vec3 offset = origin + t * direction - q.corner;
   const double a = std::clamp(plane.dual_u.dot(offset), 0.0, 1.0);
   const double b = std::clamp(plane.dual_v.dot(offset), 0.0, 1.0);
@@ -157,7 +163,7 @@ RayHit RayCaster::nearest_exact(const core::Vec3& origin, const core::Vec3& dire
     const double a = plane.dual_u.dot(offset);
     const double b = plane.dual_v.dot(offset);
     if (a < -kSlack || a > 1.0 + kSlack || b < -kSlack || b > 1.0 + kSlack) continue;
-    best = locate(i, origin, direction);
+    best = located(i, t, origin, direction);
     best_t = t;
   }
   return best;

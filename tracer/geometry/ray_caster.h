@@ -49,7 +49,9 @@ class RayCaster {
     double offset;            ///< normal . p
     core::Vec3 dual_u, dual_v;  ///< a = dual_u . (p - corner), b = dual_v . (p - corner)
   };
-  RayHit locate(int quad, const core::Vec3& origin, const core::Vec3& direction) const;
+  double distance_to(int quad, const core::Vec3& origin, const core::Vec3& direction) const;
+  /// The hit at this distance, moved into the quad's rectangle.
+  RayHit located(int quad, double distance, const core::Vec3& origin, const core::Vec3& direction) const;
 
   std::vector<Quad> quads_;
   std::vector<Plane> planes_;

@@ -11,29 +11,47 @@ namespace {
 using core::StokesVector;
 using core::Vec3;
 
-/// Unit vector normal to the plane of incidence: z x h, with h = +x at normal incidence.
-Vec3 s_axis(const Vec3& k) {
-  const double sin2 = k.x() * k.x() + k.y() * k.y();
-  if (sin2 < 1e-18) return Vec3::UnitY();
-  const double inverse = 1.0 / std::sqrt(sin2);
-  return {-k.y() * inverse, k.x() * inverse, 0.0};
-}
+/// Unit vector normal to the plane of incidence: s = z x h = (x, y, 0), with h = +x at normal incidence.
+struct PlaneNormal {
+  double x = 0.0;
+  double y = 1.0;
 
-/// The light in the frame whose e2 is s (unit, perpendicular to k): e1' = s x k, so that e1 . e1' = cos and
-/// e2 . e1' = (k x e1) . (s x k) = -e1 . s.
-StokesVector seen_along(const StokesVector& light, const Vec3& s) {
+  explicit PlaneNormal(const Vec3& k) {
+    const double sin2 = k.x() * k.x() + k.y() * k.y();
+    if (sin2 < 1e-18) return;
+    const double inverse = 1.0 / std::sqrt(sin2);
+    x = -k.y() * inverse;
+    y = k.x() * inverse;
+  }
+  /// s x k.
+  Vec3 cross(const Vec3& k) const { return {y * k.z(), -x * k.z(), x * k.y() - y * k.x()}; }
+  double dot(const Vec3& v) const { return x * v.x() + y * v.y(); }
+  /// Frame of a ray in the plane of incidence: e1 = s x k, so that e2 = s.
+  core::PolarizationFrame frame(const Vec3& k) const { return {k, cross(k)}; }
+};
+
+/// The light in the frame whose e2 is s: e1' = s x k, so that e1 . e1' = cos and e2 . e1' = (k x e1) . (s x k) = -e1 .
+/// s.
+StokesVector seen_along(const StokesVector& light, const PlaneNormal& s) {
   const Vec3 e1 = s.cross(light.frame.k);
-  return light.turned(light.frame.e1.dot(e1), -light.frame.e1.dot(s), e1);
+  return light.turned(light.frame.e1.dot(e1), -s.dot(light.frame.e1), e1);
 }
 
-/// Light with amplitudes E_p' = a_p E_p, E_s' = a_s E_s, rescaled to power `I`; incident Q = |E_p|^2 - |E_s|^2.
-/// `pp`, `ss`: |a_p|^2, |a_s|^2; `re`, `im`: a_p conj(a_s).
-StokesVector transformed(const StokesVector& in, double pp, double ss, double re, double im,
-                         const core::PolarizationFrame& out) {
-  const double p = pp * 0.5 * (in.I + in.Q);
-  const double s = ss * 0.5 * (in.I - in.Q);
+/// Light with real amplitudes E_p' = a_p E_p, E_s' = a_s E_s, rescaled to power `I`; incident Q = |E_p|^2 - |E_s|^2.
+StokesVector transformed(const StokesVector& in, double a_p, double a_s, const core::PolarizationFrame& out) {
+  const double p = a_p * a_p * 0.5 * (in.I + in.Q);
+  const double s = a_s * a_s * 0.5 * (in.I - in.Q);
   const double scale = in.I / (p + s);
-  return {in.I, (p - s) * scale, (re * in.U - im * in.V) * scale, (re * in.V + im * in.U) * scale, out};
+  const double cross = a_p * a_s * scale;
+  return {in.I, (p - s) * scale, cross * in.U, cross * in.V, out};
+}
+
+/// Both amplitudes keep their size: U + iV turns by the difference of the phases, r_p conj(r_s).
+StokesVector totally_reflected(const StokesVector& in, const core::FresnelFace& face,
+                               const core::PolarizationFrame& out) {
+  const double re = face.r_p.real() * face.r_s.real() + face.r_p.imag() * face.r_s.imag();
+  const double im = face.r_p.imag() * face.r_s.real() - face.r_p.real() * face.r_s.imag();
+  return {in.I, in.Q, re * in.U - im * in.V, re * in.V + im * in.U, out};
 }
 
 /// diag-like Mueller matrix of amplitudes (tangential count: p first, s second).
@@ -63,29 +81,22 @@ std::optional<BsdfSample> DielectricFace::sample(const StokesVector& incident, c
   const double n1 = upward ? n_below_ : n_above_;
   const double n2 = upward ? n_above_ : n_below_;
   const core::FresnelFace face = core::fresnel(std::abs(k.z()), n1, n2);
-  const Vec3 s = s_axis(k);
+  const PlaneNormal s(k);
   const StokesVector in = seen_along(incident, s);
-  const auto reflected_frame = core::PolarizationFrame::with_e2(Vec3(k.x(), k.y(), -k.z()), s);
+  const auto reflected_frame = s.frame({k.x(), k.y(), -k.z()});
+  if (face.total_reflection) return BsdfSample{totally_reflected(in, face, reflected_frame), true};
   const double p_re = face.r_p.real();
   const double s_re = face.r_s.real();
-  if (face.total_reflection) {
-    const double p_im = face.r_p.imag();
-    const double s_im = face.r_s.imag();
-    return BsdfSample{
-        transformed(in, 1.0, 1.0, p_re * s_re + p_im * s_im, p_im * s_re - p_re * s_im, reflected_frame), true};
-  }
   const double R_p = p_re * p_re;
   const double R_s = s_re * s_re;
   const double reflected = 0.5 * (R_p * (in.I + in.Q) + R_s * (in.I - in.Q));
   if (rng.uniform() * in.I < reflected) {
-    return BsdfSample{transformed(in, R_p, R_s, p_re * s_re, 0.0, reflected_frame), true};
+    return BsdfSample{transformed(in, p_re, s_re, reflected_frame), true};
   }
   // A unit vector to rounding, as k is: its tangential part obeys Snell, its normal part comes from the same sine.
   const double bend = n1 / n2;
   const Vec3 refracted(k.x() * bend, k.y() * bend, std::copysign(face.cos_transmitted, k.z()));
-  const auto refracted_frame = core::PolarizationFrame::with_e2(refracted, s);
-  return BsdfSample{
-      transformed(in, face.t_p * face.t_p, face.t_s * face.t_s, face.t_p * face.t_s, 0.0, refracted_frame), true};
+  return BsdfSample{transformed(in, face.t_p, face.t_s, s.frame(refracted)), true};
 }
 
 StokesVector DielectricFace::evaluate(const StokesVector&, const Vec3& k_out) const {
@@ -96,8 +107,8 @@ Bsdf::Specular DielectricFace::specular(const Vec3& k) const {
   const bool upward = k.z() > 0.0;
   const core::FresnelFace face =
       core::fresnel(std::abs(k.z()), upward ? n_below_ : n_above_, upward ? n_above_ : n_below_);
-  // with_e2(k, z x h) has e1 = (z x h) x k = tangential e1 for k.z > 0 and its opposite for k.z < 0; the Mueller matrix does
-  // not see the sign of both axes, so only the handedness of the count remains.
+  // with_e2(k, z x h) has e1 = (z x h) x k = tangential e1 for k.z > 0 and its opposite for k.z < 0; the Mueller matrix
+  // does not see the sign of both axes, so only the handedness of the count remains.
   const double sign = upward ? 1.0 : -1.0;
   return {in_tangential_count(amplitude_matrix(face.t_p, face.t_s, face.transmitted_power), sign, sign),
           in_tangential_count(amplitude_matrix(face.r_p, face.r_s, 1.0), sign, -sign)};
@@ -106,7 +117,8 @@ Bsdf::Specular DielectricFace::specular(const Vec3& k) const {
 Bsdf::Specular incoherent_sheet(double cos_incident, double n, double absorption, double thickness) {
   const core::FresnelFace in = core::fresnel(cos_incident, 1.0, n);
   const double a = std::exp(-absorption * thickness / in.cos_transmitted);
-  // r of the inner faces is -r of the outer one; products of two of them carry no sign. t t' = 1 - r^2 (Stokes relations).
+  // r of the inner faces is -r of the outer one; products of two of them carry no sign. t t' = 1 - r^2 (Stokes
+  // relations).
   const auto through = [&](double rr, double tt) { return tt * tt * a / (1.0 - rr * rr * a * a); };
   const double rs = in.r_s.real();
   const double rp = in.r_p.real();

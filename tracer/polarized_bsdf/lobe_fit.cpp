@@ -50,7 +50,7 @@ LobeValues<T> values_of(const T* x, double absorption) {
 }
 
 double error_of(const LuminanceRow& row, const LobeFitOptions& options) {
-  return std::hypot(options.relative_error * row.measured, options.absolute_error);
+  return options.relative_error * row.measured + options.absolute_error;
 }
 
 /// One reading, in errors.
@@ -118,10 +118,41 @@ Free start_of(const std::vector<Reading>& readings, const LobeFitOptions& option
 struct Solution {
   Free x{};
   Eigen::MatrixXd jacobian;  ///< residuals x kFree
-  double cost = 0.0;         ///< sum of squares, without the loss
+  double chi_square = 0.0;   ///< without the loss
+  double scatter = 1.0;      ///< factor of (J^T J)^-1 that makes it the covariance
   int iterations = 0;
   bool converged = false;
 };
+
+/// Jacobian and scatter at the solution. With a loss rho(r) the covariance of an M-estimate is (Huber, Robust
+/// Statistics, 1981, section 7.6)
+///
+///     [sum psi^2 / (n - p)] / [mean psi']^2 (J^T J)^-1,     psi = r / (1 + r^2/w^2)     (Cauchy),
+///
+/// which for psi = r is the usual one.
+void differentiate(const std::vector<Reading>& readings, const LobeFitOptions& options, Solution& solution) {
+  const auto n = static_cast<double>(readings.size());
+  solution.jacobian.resize(static_cast<Eigen::Index>(readings.size()), kFree);
+  double squares = 0.0, slopes = 0.0;
+  for (std::size_t i = 0; i < readings.size(); ++i) {
+    const ceres::AutoDiffCostFunction<Reading, 1, kFree> cost(new Reading(readings[i]));
+    Free gradient{};
+    const double* x = solution.x.data();
+    double* row = gradient.data();
+    double r = 0.0;
+    cost.Evaluate(&x, &r, &row);
+    const double q = options.loss_width > 0.0 ? std::pow(r / options.loss_width, 2) : 0.0;
+    solution.chi_square += r * r;
+    squares += std::pow(r / (1.0 + q), 2);
+    slopes += (1.0 - q) / ((1.0 + q) * (1.0 + q));
+    for (int j = 0; j < kFree; ++j) {
+      solution.jacobian(static_cast<Eigen::Index>(i), j) = gradient[static_cast<std::size_t>(j)];
+    }
+  }
+  if (options.throughput) solution.jacobian.col(kThroughput).setZero();
+  const double free = kFree - (options.throughput ? 1 : 0);
+  solution.scatter = squares / (n - free) / std::pow(slopes / n, 2);
+}
 
 Solution solve(const std::vector<Reading>& readings, const Free& start, const LobeFitOptions& options) {
   Solution solution;
@@ -155,22 +186,7 @@ Solution solve(const std::vector<Reading>& readings, const Free& start, const Lo
   }
   solution.converged = summary.termination_type == ceres::CONVERGENCE;
   solution.iterations = static_cast<int>(summary.iterations.size());
-  std::vector<double> gradient(kFree);
-  solution.jacobian.resize(static_cast<Eigen::Index>(readings.size()), kFree);
-  for (std::size_t i = 0; i < readings.size(); ++i) {
-    const ceres::AutoDiffCostFunction<Reading, 1, kFree> cost(new Reading(readings[i]));
-    const double* x = solution.x.data();
-    double* row = gradient.data();
-    double residual = 0.0;
-    cost.Evaluate(&x, &residual, &row);
-    double weight = 1.0;  // of the loss: derivative of log(1 + r^2 / w^2) w^2 by r^2
-    if (options.loss_width > 0.0) weight = 1.0 / (1.0 + std::pow(residual / options.loss_width, 2));
-    solution.cost += residual * residual;
-    for (int j = 0; j < kFree; ++j) {
-      solution.jacobian(static_cast<Eigen::Index>(i), j) = std::sqrt(weight) * gradient[static_cast<std::size_t>(j)];
-    }
-  }
-  if (options.throughput) solution.jacobian.col(kThroughput).setZero();
+  differentiate(readings, options, solution);
   return solution;
 }
 
@@ -183,7 +199,8 @@ struct Covariance {
   std::vector<std::string> remarks;
 };
 
-Covariance covariance_of(const Solution& solution, double scatter, bool throughput_held) {
+Covariance covariance_of(const Solution& solution, bool throughput_held) {
+  const double scatter = solution.scatter;
   const Eigen::JacobiSVD<Eigen::MatrixXd> svd(solution.jacobian, Eigen::ComputeThinU | Eigen::ComputeThinV);
   Covariance result{Eigen::MatrixXd::Zero(kFree, kFree), std::vector<bool>(kFree, false), {}};
   const double largest = svd.singularValues()[0];
@@ -271,12 +288,11 @@ LobeFit fit_lobes(const LuminanceTable& reflection, const LuminanceTable& transm
   const LobeValues<double> v = values_of(solution.x.data(), options.absorption);
   fit.parameters = to_parameters(v, options);
   fit.setup = {v.throughput, v.offset_reflection, v.offset_transmission};
-  fit.chi_square = solution.cost;
+  fit.chi_square = solution.chi_square;
   fit.degrees_of_freedom = static_cast<int>(readings.size()) - free;
   fit.iterations = solution.iterations;
   fit.converged = solution.converged;
-  const Covariance covariance =
-      covariance_of(solution, solution.cost / fit.degrees_of_freedom, options.throughput.has_value());
+  const Covariance covariance = covariance_of(solution, options.throughput.has_value());
   fit.values = fitted_values(solution, covariance, options);
   fit.remarks = covariance.remarks;
   fit.reflection = metrics_of(reflection, fit.parameters, fit.setup);

@@ -26,9 +26,9 @@ double lobe_luminance(const LobeParameters& parameters, const LuminanceSetup& se
 
 struct LobeFitOptions {
   double relative_error = 0.1;   ///< of a reading
-  double absolute_error = 0.05;  ///< cd/m2, added in square
+  double absolute_error = 0.05;  ///< cd/m2; the two are added
   double absorption = 0.015;     ///< of light of either polarization
-  double loss_width = 0.0;       ///< of a Cauchy loss, in errors; 0: plain least squares
+  double loss_width = 1.0;       ///< w of a Cauchy loss w^2 ln(1 + r^2/w^2), in errors; 0: plain least squares
   std::optional<double> throughput{};  ///< K held at this value; none: fitted
   LobeParameters start{};        ///< amplitudes are scaled to the readings first
 };
@@ -54,8 +54,8 @@ struct LobeFit {
 /// Least-squares fit of the model's widths and amplitudes, of the filter's throughput and of the two offsets to readings
 /// at normal incidence (Ceres, Levenberg-Marquardt, derivatives by automatic differentiation). Energy is a constraint,
 /// met exactly: e0, a1 and b1 obey R_p + T_p = R_b + T_b = 1 - absorption with the integrals at normal incidence
-/// (`lobe_integral`), which is what sets e0. Standard errors: inverse of J^T J times chi^2 / degrees of freedom, carried
-/// over to a1 and b1. Throws `core::Error` if there are fewer readings than parameters or no fit keeps the constraint.
+/// (`lobe_integral`), which is what sets e0. Standard errors come from the scatter of the residuals, carried over
+/// to a1 and b1. Throws `core::Error` if there are fewer readings than parameters or no fit keeps the constraint.
 LobeFit fit_lobes(const LuminanceTable& reflection, const LuminanceTable& transmission, const LobeFitOptions& options);
 
 /// k-fold cross-validation: the readings (both tables, shuffled by `seed`) are parted into `folds`, each is predicted by

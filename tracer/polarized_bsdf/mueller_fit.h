@@ -36,7 +36,7 @@ struct MuellerFit {
   MuellerCovariance covariance;
   double chi_square = 0.0;           ///< of the best matrix
   int degrees_of_freedom = 0;        ///< readings less 16
-  double chi_square_increase = 0.0;  ///< of the best physical matrix; its root: contradiction in standard errors
+  double chi_square_increase = 0.0;  ///< what a physical matrix costs; noise alone: at most a chi-square of 9
   double least_eigenvalue = 0.0;     ///< of the coherency matrix of `unconstrained`, 1/sr
   double least_eigenvalue_se = 0.0;  ///< of first order
   bool constrained = false;          ///< the best matrix is not physical, M is another one
@@ -47,7 +47,7 @@ ReadingRank reading_rank(std::span<const MuellerReading> readings);
 /// The readings must determine all 16 entries (`reading_rank(...).all == 16`; a promise: throws `core::Error`).
 ///
 /// Where the best matrix has a coherency matrix H with a negative eigenvalue, H = L L^dagger with a lower triangular L
-/// (16 real numbers) is fitted by Levenberg-Marquardt (Ceres), from the best matrix with its eigenvalues raised to a
+/// (16 real numbers) is fitted by BFGS (Ceres), from the best matrix with its eigenvalues raised to a
 /// small positive number. The problem is convex in H, and L of full size has no further local minimum
 /// (Burer & Monteiro, Math. Program. 103, 2005). Throws `core::Error` if the solver fails.
 MuellerFit fit_mueller(std::span<const MuellerReading> readings);

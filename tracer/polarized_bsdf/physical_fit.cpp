@@ -3,10 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
-#include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
-#include <ceres/ceres.h>
+#include <ceres/gradient_problem.h>
+#include <ceres/gradient_problem_solver.h>
 
 #include "core/base/error.h"
 
@@ -47,78 +48,115 @@ CoherencyMatrix lower(const double* x) {
   return L;
 }
 
-/// root (m(L L^dagger) - m(best)).
-class Residuals final : public ceres::SizedCostFunction<16, 16> {
+/// 1/2 |root (m(V L L^dagger V^dagger) - m(best))|^2.
+class Distance final : public ceres::FirstOrderFunction {
  public:
-  Residuals(const CoherencyMatrix& best, const Root& root) : best_(best), root_(root) {}
+  Distance(const CoherencyMatrix& best, const Root& root, const CoherencyMatrix& basis)
+      : best_(best), root_(root), basis_(basis) {}
 
-  bool Evaluate(const double* const* parameters, double* residuals, double** jacobians) const override {
-    const CoherencyMatrix L = lower(parameters[0]);
-    const core::MuellerMatrix difference = mueller_matrix(L * L.adjoint() - best_);
-    Eigen::Matrix<double, 16, 1> entries;
-    for (int k = 0; k < 16; ++k) entries[k] = difference(k / 4, k % 4);
-    Eigen::Map<Eigen::Matrix<double, 16, 1>> result(residuals);
-    result = root_ * entries;
-    if (jacobians == nullptr || jacobians[0] == nullptr) return true;
-    // d trace(L L^dagger B) = 2 Re trace(dL^dagger B L) for a Hermitian B.
-    Root slope;
-    for (int k = 0; k < 16; ++k) {
-      const CoherencyMatrix BL = coherency_basis()[static_cast<std::size_t>(k)] * L;
-      for (std::size_t i = 0; i < kPlaces.size(); ++i) {
-        const Complex entry = BL(kPlaces[i].row, kPlaces[i].column);
-        slope(k, static_cast<Eigen::Index>(i)) = 2.0 * (kPlaces[i].imaginary ? entry.imag() : entry.real());
-      }
+  CoherencyMatrix matrix(const double* x) const {
+    const CoherencyMatrix L = basis_ * lower(x);
+    return L * L.adjoint();
+  }
+
+  bool Evaluate(const double* x, double* cost, double* gradient) const override {
+    const Vector16 residual = residual_of(matrix(x));
+    *cost = 0.5 * residual.squaredNorm();
+    if (gradient == nullptr) return true;
+    // d trace(L L^dagger Z) = 2 Re trace(dL^dagger Z L) for a Hermitian Z.
+    const CoherencyMatrix ZL = basis_.adjoint() * combined(residual) * basis_ * lower(x);
+    for (std::size_t i = 0; i < kPlaces.size(); ++i) {
+      const Complex entry = ZL(kPlaces[i].row, kPlaces[i].column);
+      gradient[i] = 2.0 * (kPlaces[i].imaginary ? entry.imag() : entry.real());
     }
-    Eigen::Map<Root> jacobian(jacobians[0]);
-    jacobian = root_ * slope;
     return true;
   }
+  int NumParameters() const override { return 16; }
+
+  /// Derivative with respect to H.
+  CoherencyMatrix slope(const CoherencyMatrix& H) const { return combined(residual_of(H)); }
 
  private:
+  using Vector16 = Eigen::Matrix<double, 16, 1>;
+
+  Vector16 residual_of(const CoherencyMatrix& H) const {
+    const core::MuellerMatrix difference = mueller_matrix(H - best_);
+    Vector16 entries;
+    for (int k = 0; k < 16; ++k) entries[k] = difference(k / 4, k % 4);
+    return root_ * entries;
+  }
+
+  CoherencyMatrix combined(const Vector16& residual) const {
+    const Vector16 by_entry = root_.transpose() * residual;
+    CoherencyMatrix Z = CoherencyMatrix::Zero();
+    for (int k = 0; k < 16; ++k) Z += by_entry[k] * coherency_basis()[static_cast<std::size_t>(k)];
+    return Z;
+  }
+
   const CoherencyMatrix& best_;
   const Root& root_;
+  const CoherencyMatrix& basis_;
 };
 
-/// A start inside the cone: the eigenvalues raised to a share of their size.
-std::array<double, 16> start(const CoherencyMatrix& best) {
-  constexpr double kFloor = 0.01;
-  const Eigen::SelfAdjointEigenSolver<CoherencyMatrix> eigen(best);
-  const double least = kFloor * eigen.eigenvalues().cwiseAbs().sum();
-  const Eigen::Vector4d raised = eigen.eigenvalues().cwiseMax(least);
-  const CoherencyMatrix H = eigen.eigenvectors() * raised.asDiagonal() * eigen.eigenvectors().adjoint();
-  const CoherencyMatrix L = Eigen::LLT<CoherencyMatrix>(H).matrixL();
+/// Where a fit begins: the eigenvectors V of H, largest eigenvalue first, and L diagonal: H with its eigenvalues raised
+/// to the share `floor` of their size. In any other basis a nearly singular H can have small pivots in the wrong
+/// places.
+struct Start {
+  CoherencyMatrix basis;
   std::array<double, 16> x{};
-  for (std::size_t i = 0; i < kPlaces.size(); ++i) {
-    const Complex entry = L(kPlaces[i].row, kPlaces[i].column);
-    x[i] = kPlaces[i].imaginary ? entry.imag() : entry.real();
+
+  Start(const CoherencyMatrix& H, double floor) {
+    const Eigen::SelfAdjointEigenSolver<CoherencyMatrix> eigen(H);
+    basis = eigen.eigenvectors().rowwise().reverse();
+    const double least = floor * eigen.eigenvalues().cwiseAbs().sum();
+    for (int i = 0; i < 4; ++i) x[static_cast<std::size_t>(i)] = std::sqrt(std::max(least, eigen.eigenvalues()[3 - i]));
   }
-  return x;
+};
+
+/// How far the distance at H can be above the least one of all physical matrices, of about the same trace: the duality
+/// gap of a convex problem over the cone, Z the derivative at H.
+double gap(const CoherencyMatrix& H, const CoherencyMatrix& Z) {
+  const Eigen::SelfAdjointEigenSolver<CoherencyMatrix> eigen(Z, Eigen::EigenvaluesOnly);
+  return std::max(0.0, (Z * H).trace().real()) + std::max(0.0, -eigen.eigenvalues()[0]) * H.trace().real();
+}
+
+ceres::GradientProblemSolver::Options solver_options() {
+  ceres::GradientProblemSolver::Options options;
+  options.line_search_direction_type = ceres::BFGS;
+  options.logging_type = ceres::SILENT;
+  options.max_num_iterations = 300;
+  options.function_tolerance = 1e-15;
+  options.gradient_tolerance = 1e-11;
+  options.parameter_tolerance = 1e-15;
+  return options;
 }
 
 }  // namespace
 
 CoherencyMatrix fit_physical(const CoherencyMatrix& best, const Eigen::Matrix<double, 16, 16>& root) {
+  constexpr int kMostStarts = 6;
+  constexpr double kFirstFloor = 1e-2;
+  constexpr double kNextFloor = 1e-9;
+  constexpr double kEnough = 1e-4;  // of chi-square: far below what noise moves it by
   const double scale = best.norm();
   const CoherencyMatrix target = best / scale;
-  const Root whitened = root * scale;
-  std::array<double, 16> x = start(target);
-  ceres::Problem::Options ownership;
-  ownership.cost_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
-  ceres::Problem problem(ownership);
-  Residuals residuals(target, whitened);
-  problem.AddResidualBlock(&residuals, nullptr, x.data());
-  ceres::Solver::Options options;
-  options.linear_solver_type = ceres::DENSE_QR;
-  options.logging_type = ceres::SILENT;
-  options.max_num_iterations = 500;
-  options.function_tolerance = 1e-14;
-  options.gradient_tolerance = 1e-14;
-  options.parameter_tolerance = 1e-14;
-  ceres::Solver::Summary summary;
-  ceres::Solve(options, &problem, &summary);
-  if (!summary.IsSolutionUsable()) throw core::Error("fit of a physical Mueller matrix failed: " + summary.message);
-  const CoherencyMatrix L = lower(x.data());
-  return scale * (L * L.adjoint());
+  const Root whitened = root / root.norm();
+  const double enough = kEnough / (2.0 * scale * scale * root.squaredNorm());
+  CoherencyMatrix H = target;
+  double least = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < kMostStarts; ++i) {
+    Start start(H, i == 0 ? kFirstFloor : kNextFloor);
+    auto* distance = new Distance(target, whitened, start.basis);
+    const ceres::GradientProblem problem(distance);  // which owns it
+    ceres::GradientProblemSolver::Summary summary;
+    ceres::Solve(solver_options(), problem, start.x.data(), &summary);
+    if (!summary.IsSolutionUsable()) throw core::Error("fit of a physical Mueller matrix failed: " + summary.message);
+    if (summary.final_cost > least) break;
+    least = summary.final_cost;
+    H = distance->matrix(start.x.data());
+    if (gap(H, distance->slope(H)) <= enough) break;
+  }
+  return scale * H;
 }
 
 }  // namespace evenglow::tracer

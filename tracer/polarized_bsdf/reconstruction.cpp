@@ -42,6 +42,12 @@ std::optional<double> estimated_error(const FilmReadings& readings) {
   return std::sqrt(sum / degrees);
 }
 
+/// Standard normal variable of about the same probability as chi-square (Wilson & Hilferty, PNAS 17, 1931).
+double normal_score(double chi_square, int degrees) {
+  const double spread = 2.0 / (9.0 * degrees);
+  return (std::cbrt(chi_square / degrees) - (1.0 - spread)) / std::sqrt(spread);
+}
+
 void remove_psi(DiattenuatorValues& values, const FilmNode& node, AngleOrigin origin) {
   if (origin == AngleOrigin::film) return;
   values.delta = half_turn(values.delta - node.psi_deg * core::kRadPerDeg);
@@ -110,12 +116,13 @@ void one_after_another(std::size_t count, const std::function<void(std::size_t)>
 double NodeResult::excess() const {
   if (degrees_of_freedom <= 0) return 0.0;
   if (degrees_of_freedom == 1) return std::sqrt(chi_square);
-  const double spread = 2.0 / (9.0 * degrees_of_freedom);
-  return (std::cbrt(chi_square / degrees_of_freedom) - (1.0 - spread)) / std::sqrt(spread);
+  return normal_score(chi_square, degrees_of_freedom);
 }
 
 double NodeResult::contradiction() const {
-  return mueller ? std::sqrt(std::max(0.0, mueller->chi_square_increase)) : 0.0;
+  // Hermitian matrices without negative eigenvalue, of rank 1: 16 - 9 = 7 numbers.
+  constexpr int kMostSettled = 9;
+  return mueller ? std::max(0.0, normal_score(mueller->chi_square_increase, kMostSettled)) : 0.0;
 }
 
 std::vector<MuellerReading> mueller_readings(const ReadingGroup& group, const ReconstructionOptions& options) {

@@ -36,7 +36,9 @@ struct NodeResult {
   /// How much worse than noise the fit is, in standard errors of a normal variable (Wilson & Hilferty 1931; for one
   /// degree of freedom the root of chi-square). 0 without redundant readings.
   double excess() const;
-  /// Root of the increase of chi-square that a physical matrix costs: the contradiction in standard errors.
+  /// How much more than noise the readings contradict every physical matrix, in standard errors of a normal variable:
+  /// the increase of chi-square against a chi-square with 9 degrees of freedom, which bounds it for any film but a
+  /// black one (a matrix of rank 1 has 16 - 7 directions that noise can push out of the cone). So it errs towards 0.
   double contradiction() const;
 };
 

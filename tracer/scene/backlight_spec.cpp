@@ -8,6 +8,7 @@
 #include "core/base/units.h"
 #include "tracer/films/film_registry.h"
 #include "tracer/scene/density_file.h"
+#include "tracer/sources/window_overlap.h"
 
 namespace evenglow::tracer {
 namespace {
@@ -119,9 +120,27 @@ void read_films(const ConfigNode& backlight, BacklightSpec& spec) {
   }
 }
 
+double stack_top(const BacklightSpec& spec) {
+  double z = spec.area.max.z();
+  for (const Film& film : spec.films) z += film.gap + (film.sheet ? film.sheet->thickness : 0.0);
+  return z;
+}
+
+void check_overlap(const ConfigNode& node, const Source& source, const BacklightSpec& spec) {
+  for (std::size_t i = 0; i < spec.sources.size(); ++i) {
+    const auto place = overlap(*spec.sources[i], source);
+    if (!place) continue;
+    return node.fault(
+        fmt::format("its LEDs must not stand where those of sources[{}] are, got both at {:.6g} mm along the {} edge",
+                    i, *place, side_name(source.side())));
+  }
+}
+
 void read_sources(const ConfigNode& backlight, BacklightSpec& spec) {
   const auto nodes = backlight.maps("sources", "light sources", 100);
   if (nodes.empty()) backlight.fault_at("sources", "must list at least one source, got none");
+  SourcePlace place{spec.area, stack_top(spec)};
+  if (!spec.plate) place.box.max.z() = place.top;
   for (const ConfigNode& node : nodes) {
     const auto source = source_registry().make(node);
     if (!source) continue;
@@ -129,7 +148,9 @@ void read_sources(const ConfigNode& backlight, BacklightSpec& spec) {
       node.fault("an led_row needs a light_guide_plate to stand at, got none");
       continue;
     }
-    spec.sources.push_back(source->place({spec.area}));
+    SourcePointer placed = source->place(place);
+    check_overlap(node, *placed, spec);
+    spec.sources.push_back(std::move(placed));
     spec.source_kinds.push_back(source->kind);
     const auto& reflector = spec.reflectors[static_cast<std::size_t>(source->side)];
     if (source->kind == "led_row" && reflector && reflector->gap < spec.sources.back()->gap()) {
@@ -160,7 +181,9 @@ core::CellGrid active_area(const ConfigNode& node, const Box& area, std::pair<in
   return core::CellGrid::over(cells.first, cells.second, x0, y0, x1, y1);
 }
 
-bool has_scattering_film(const BacklightSpec& spec) {
+/// What a film sends to the viewer must not be shut off by a sheet above it.
+bool next_event_works(const BacklightSpec& spec) {
+  if (spec.reflectors[static_cast<std::size_t>(Side::kTop)]) return false;
   return std::any_of(spec.films.begin(), spec.films.end(),
                      [](const Film& film) { return film.surface && film.surface->scatters(); });
 }
@@ -176,7 +199,9 @@ void read_luminance(const ConfigNode& node, BacklightSpec& spec) {
                    {"auto", "next_event", "counting"},
                    "auto"});
   if (estimator == "next_event" && spec.luminance.estimator == LuminanceEstimator::kCounting) {
-    node.fault_at("estimator", "next_event needs a film that scatters (diffuser or a dbef with a table), got none");
+    node.fault_at(
+        "estimator",
+        "next_event needs a film that scatters (diffuser or a dbef with a table) and no reflector at the top");
   }
   if (estimator == "counting") spec.luminance.estimator = LuminanceEstimator::kCounting;
 }
@@ -187,7 +212,7 @@ void default_luminance(BacklightSpec& spec) {
   const int ny = spec.microstructure ? spec.microstructure->ny : 48;
   spec.luminance.cells =
       core::CellGrid::over(nx, ny, spec.area.min.x(), spec.area.min.y(), spec.area.max.x(), spec.area.max.y());
-  spec.luminance.estimator = has_scattering_film(spec) ? LuminanceEstimator::kNextEvent : LuminanceEstimator::kCounting;
+  spec.luminance.estimator = next_event_works(spec) ? LuminanceEstimator::kNextEvent : LuminanceEstimator::kCounting;
 }
 
 void read_receivers(const ConfigNode& backlight, BacklightSpec& spec) {

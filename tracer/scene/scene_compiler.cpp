@@ -97,6 +97,8 @@ class SceneBuilder {
     Surface surface;
     surface.optics = reflector->surface.get();
     surface.part = part(std::string("reflectors.") + side_name(side));
+    // Beside a backlight of no height (neither plate nor film) a sheet has no area to be met.
+    if (axis_of(side) != 2 && box_.max.z() <= box_.min.z()) return;
     reflector_quads_[static_cast<std::size_t>(side)] = add(side_of(box_, side), std::move(surface));
   }
 
@@ -149,8 +151,8 @@ class SceneBuilder {
         a.z() = window.min_z;
         b[along] = window.max_along;
         b.z() = window.max_z;
-        const auto [x0, x1] = std::minmax(surface.x.dot(a), surface.x.dot(b));
-        const auto [y0, y1] = std::minmax(surface.y.dot(a), surface.y.dot(b));
+        const auto [x0, x1] = std::minmax({surface.x.dot(a), surface.x.dot(b)});
+        const auto [y0, y1] = std::minmax({surface.y.dot(a), surface.y.dot(b)});
         surface.windows.push_back({x0, x1, y0, y1, source.window_surface(), source_part});
       }
       source_placements_.push_back({quad, false});

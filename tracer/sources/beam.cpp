@@ -73,7 +73,7 @@ SourceSpec make_beam(const core::ConfigNode& node) {
   keys.size_share = node.number({"size_share", "lit share of the face's length and width, around its center", {0, 1, true, false}, 0.2});
   keys.gap = node.number({"gap_mm", "air between source and face", Range::closed(0, 100), 0.0});
   keys.flux = node.number({"flux_lm", "luminous flux", Range::positive(1e9), 100.0});
-  return {"beam", keys.face, [=](const SourcePlace& place) -> SourcePointer { return std::make_unique<Beam>(keys, place.box); }};
+  return {"beam", keys.face, [=](const SourcePlace& place) -> SourcePointer { return std::make_unique<Beam>(keys, place.lit(keys.face)); }};
 }
 
 }  // namespace evenglow::tracer

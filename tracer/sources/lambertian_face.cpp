@@ -48,7 +48,7 @@ SourceSpec make_lambertian_face(const core::ConfigNode& node) {
   const double gap = node.number({"gap_mm", "air between source and face", Range::closed(0, 100), 0.0});
   const double flux = node.number({"flux_lm", "luminous flux", Range::positive(1e9), 100.0});
   return {"lambertian_face", face, [=](const SourcePlace& place) -> SourcePointer {
-            return std::make_unique<LambertianFace>(face, gap, flux, place.box);
+            return std::make_unique<LambertianFace>(face, gap, flux, place.lit(face));
           }};
 }
 

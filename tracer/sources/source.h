@@ -31,9 +31,18 @@ class Source {
   virtual const Bsdf* window_surface() const { return nullptr; }
 };
 
-/// What a source needs to know of the backlight: the box of the plate (of the film area if there is no plate).
+/// What a source needs to know of the backlight: the box of the plate (of the film stack if there is no plate), and the
+/// height of the uppermost film, where a source above the backlight stands.
 struct SourcePlace {
   Box box;
+  double top = 0.0;  ///< mm
+
+  /// The box whose side `face` a source lights.
+  Box lit(Side face) const {
+    Box result = box;
+    if (face == Side::kTop) result.max.z() = top;
+    return result;
+  }
 };
 
 using SourcePointer = std::unique_ptr<const Source>;

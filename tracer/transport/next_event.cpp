@@ -66,13 +66,21 @@ Vec3 NextEvent::display_position(const Vec3& position, const Vec3& k) const {
   return position + height / k.z() * k + shift;
 }
 
+bool NextEvent::in_front(const Vec3& seen) const {
+  const Box& box = scene_.box;
+  return seen.x() >= box.min.x() && seen.x() <= box.max.x() && seen.y() >= box.min.y() && seen.y() <= box.max.y();
+}
+
+bool NextEvent::sees(const Vec3& position, const Vec3& k) const {
+  return k.z() > 0.0 && in_front(display_position(position, k));
+}
+
 std::optional<Score> NextEvent::score(const Bsdf& surface, const core::StokesVector& light, const Vec3& position,
                                       core::PhotonRng& rng) const {
   const double u1 = rng.uniform();
   const Vec3 k = core::sample_cosine_cone(u1, rng.uniform(), scene_.luminance.sin_cone());
   const Vec3 seen = display_position(position, k);
-  const Box& box = scene_.box;
-  if (seen.x() < box.min.x() || seen.x() > box.max.x() || seen.y() < box.min.y() || seen.y() > box.max.y()) return {};
+  if (!in_front(seen)) return {};
   const int bin = scene_.luminance.cells().index_at(seen.x(), seen.y());
   if (bin < 0) return {};
   const core::StokesVector scattered = surface.evaluate(light, k);

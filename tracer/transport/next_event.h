@@ -24,10 +24,15 @@ class NextEvent {
   std::optional<Score> score(const Bsdf& surface, const core::StokesVector& light, const core::Vec3& position,
                              core::PhotonRng& rng) const;
 
+  /// Does light that leaves the scatterer at `position` along k go straight up to the viewer, past no side wall and no
+  /// edge of a sheet? Only such light is estimated; a photon scattered otherwise must be counted where it leaves.
+  bool sees(const core::Vec3& position, const core::Vec3& k) const;
+
   /// Transmission (tangential count) of the specular films above for light that travels along k, k.z > 0.
   core::MuellerMatrix transmission(const core::Vec3& k) const;
 
  private:
+  bool in_front(const core::Vec3& seen) const;
   core::Vec3 display_position(const core::Vec3& position, const core::Vec3& k) const;
 
   const Scene& scene_;

@@ -16,12 +16,18 @@ Vec3 to_world(const Surface& surface, const Vec3& v) {
   return v.x() * surface.x + v.y() * surface.y + v.z() * surface.normal;
 }
 
-void turn(StokesVector& light, const Vec3& k, const Vec3& e1) {
-  light.frame.k = k;
-  light.frame.e1 = e1;
+// Made anew component by component: a copy whose frame is then overwritten waits for the stores of its maker.
+StokesVector to_local(const Surface& surface, const StokesVector& s) {
+  return {s.I, s.Q, s.U, s.V, {to_local(surface, s.frame.k), to_local(surface, s.frame.e1)}};
 }
 
-/// Rounding of k and e1 grows from event to event unless it is taken out.
+StokesVector to_world(const Surface& surface, const StokesVector& s) {
+  return {s.I, s.Q, s.U, s.V, {to_world(surface, s.frame.k), to_world(surface, s.frame.e1)}};
+}
+
+/// Rounding of k and e1 grows from event to event unless it is taken out; by so little that every eighth time will do.
+constexpr int kEventsPerRenormalization = 8;
+
 void renormalize(core::PolarizationFrame& frame) {
   frame.k *= 1.5 - 0.5 * frame.k.squaredNorm();
   frame.e1 -= frame.e1.dot(frame.k) * frame.k;
@@ -29,6 +35,14 @@ void renormalize(core::PolarizationFrame& frame) {
 }
 
 }  // namespace
+
+PhotonHistory::PhotonHistory(const Scene& scene, const DensityField& density)
+    : scene_(scene), density_(density), next_event_(scene), faces_(scene.bodies.size()) {
+  for (std::size_t quad = 0; quad < scene.surfaces.size(); ++quad) {
+    const int body = scene.surfaces[quad].body;
+    if (body >= 0) faces_[static_cast<std::size_t>(body)].push_back(static_cast<int>(quad));
+  }
+}
 
 void PhotonHistory::run(const core::RandomKey& key, std::uint64_t photon_index, BatchSums& sums) const {
   core::PhotonRng rng(key, photon_index);
@@ -75,6 +89,10 @@ bool PhotonHistory::consistent(const Photon& photon, const RayHit& hit) const {
 }
 
 RayHit PhotonHistory::next_hit(const Photon& photon) const {
+  if (photon.body >= 0) {
+    const auto& faces = faces_[static_cast<std::size_t>(photon.body)];
+    return scene_.caster->exit_of(faces, photon.position, photon.light.frame.k, photon.quad);
+  }
   const RayHit hit = scene_.caster->nearest(photon.position, photon.light.frame.k, photon.quad);
   if (consistent(photon, hit)) return hit;
   return scene_.caster->nearest_exact(photon.position, photon.light.frame.k,
@@ -131,8 +149,7 @@ bool PhotonHistory::step(Walk& walk, core::PhotonRng& rng, BatchSums& sums) cons
   }
   const Surface& surface = scene_.surfaces[static_cast<std::size_t>(hit.quad)];
   const Encounter encounter = meet(surface, hit.position, rng);
-  StokesVector light = photon.light;
-  turn(light, to_local(surface, light.frame.k), to_local(surface, light.frame.e1));
+  const StokesVector light = to_local(surface, photon.light);
   if (surface.is_viewed_scatterer) {
     for (int i = 0; i < NextEvent::kDirections; ++i) {
       if (const auto score = next_event_.score(*encounter.optics, light, hit.position, rng)) {
@@ -148,13 +165,12 @@ bool PhotonHistory::step(Walk& walk, core::PhotonRng& rng, BatchSums& sums) cons
   }
   const bool crosses = k_before * sample->light.frame.k.z() > 0.0;
   if (surface.is_viewed_scatterer) {
-    walk.estimated = !sample->specular;
+    walk.estimated = !sample->specular && next_event_.sees(hit.position, sample->light.frame.k);
   } else if (!sample->specular) {
     walk.estimated = false;
   }
-  photon.light = sample->light;
-  turn(photon.light, to_world(surface, sample->light.frame.k), to_world(surface, sample->light.frame.e1));
-  renormalize(photon.light.frame);
+  photon.light = to_world(surface, sample->light);
+  if (++walk.events % kEventsPerRenormalization == 0) renormalize(photon.light.frame);
   if (!std::isfinite(photon.light.frame.k.sum() + photon.light.Q + photon.light.U + photon.light.V)) {
     sums.energy[scene_.energy.lost_bin(LossReason::kInvalid)] += 1.0;
     return false;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 #include "core/montecarlo/photon_rng.h"
 #include "tracer/scene/density_field.h"
@@ -13,7 +14,7 @@ namespace evenglow::tracer {
 /// One photon from birth to absorption or escape, in any scene: the reference that faster paths are held against.
 class PhotonHistory {
  public:
-  PhotonHistory(const Scene& scene, const DensityField& density) : scene_(scene), density_(density), next_event_(scene) {}
+  PhotonHistory(const Scene& scene, const DensityField& density);
 
   /// Traces the photon with this index and adds what it does to `sums`.
   void run(const core::RandomKey& key, std::uint64_t photon_index, BatchSums& sums) const;
@@ -22,6 +23,7 @@ class PhotonHistory {
   struct Walk {
     Photon photon;
     double optical_depth = 0.0;  ///< left until bulk absorption
+    int events = 0;              ///< survived so far
     bool estimated = false;      ///< the last event was a scatter whose way out was estimated
   };
   /// A photon as it leaves its source.
@@ -40,7 +42,8 @@ class PhotonHistory {
   };
 
   Photon emit(core::PhotonRng& rng) const;
-  /// Nearest surface; a hit that contradicts the body that the photon is in is searched for anew in double precision.
+  /// Nearest surface: of the few faces of the body that the photon is in, else by the ray caster. A hit of the latter
+  /// that contradicts where the photon is, is searched for anew in double precision.
   RayHit next_hit(const Photon& photon) const;
   /// Can the photon meet this quad next? Bodies are convex: from inside only their own faces can be met, from the
   /// inside; from a face outwards, none of the same body.
@@ -52,6 +55,7 @@ class PhotonHistory {
   const Scene& scene_;
   const DensityField& density_;
   NextEvent next_event_;
+  std::vector<std::vector<int>> faces_;  ///< of each body: its quads
 };
 
 }  // namespace evenglow::tracer

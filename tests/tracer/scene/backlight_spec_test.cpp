@@ -75,7 +75,7 @@ TEST(BacklightSpec, ReceiversFollowTheActiveArea) {
 TEST(BacklightSpec, NamesItsFaults) {
   expect_fault(kPlate + "films: []", "sources");
   expect_fault(kPlate + "sources: []", "sources");
-  expect_fault(kPlate + kLeds + ", receivers: [{kind: luminance}, {kind: luminance}]", "only one luminance receiver");
+  expect_fault(kPlate + kLeds + ", receivers: [{kind: luminance}, {kind: luminance}]", "one luminance receiver");
   expect_fault(kPlate + kLeds + ", receivers: [{kind: luminance, estimator: next_event}]", "estimator");
   expect_fault(kPlate + kLeds + ", receivers: [{kind: luminance, margins: {left_mm: 10, right_mm: 10}}]", "margins");
   expect_fault(kPlate + kLeds + ", receivers: [{kind: thermal}]", "kind");

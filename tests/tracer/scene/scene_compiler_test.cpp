@@ -30,9 +30,13 @@ TEST(SceneCompiler, PlateIsAClosedBodyWithNormalsOut) {
     const Surface& s = scene.surfaces[i];
     const Quad& quad = scene.caster->quads()[i];
     EXPECT_NEAR((s.x.cross(s.y) - s.normal).norm(), 0.0, 1e-15);
-    if (s.body == 0) EXPECT_GT(s.normal.dot(quad.corner - center), 0.0);
+    if (s.body == 0) {
+      EXPECT_GT(s.normal.dot(quad.corner - center), 0.0);
+    }
     ASSERT_NE(s.optics, nullptr);
-    if (std::abs(s.normal.z()) > 0.5) EXPECT_EQ(s.x, core::Vec3::UnitX());  // film axes count from it
+    if (std::abs(s.normal.z()) > 0.5) {
+      EXPECT_EQ(s.x, core::Vec3::UnitX());  // film axes count from it
+    }
   }
   EXPECT_EQ(scene.flux, 18.0);
   ASSERT_EQ(scene.energy.parts().size(), 2U);

@@ -1,0 +1,100 @@
+#include "bench/verdicts.h"
+
+#include <algorithm>
+#include <functional>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace evenglow::bench {
+namespace {
+
+struct Spread {
+  double median, least, most;
+};
+
+Spread spread_of(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  const std::size_t n = values.size();
+  return {0.5 * (values[(n - 1) / 2] + values[n / 2]), values.front(), values.back()};
+}
+
+std::string bar_of(const Line& line) {
+  if (line.at_most) return fmt::format("<= {:g}", *line.at_most);
+  if (line.at_least) return fmt::format(">= {:g}", *line.at_least);
+  return "";
+}
+
+std::string verdict_of(const Line& line, double value) {
+  if (!line.at_most && !line.at_least) return "";
+  const bool met = line.at_most ? value <= *line.at_most : value >= *line.at_least;
+  return met ? "met" : "MISSED";
+}
+
+void for_each_measured(const Measurements& measurements,
+                       const std::function<void(const Line&, const std::vector<double>&)>& visit) {
+  for (const Line& line : lines()) {
+    const auto found = measurements.find({line.benchmark, line.counter});
+    if (found != measurements.end() && !found->second.empty()) visit(line, found->second);
+  }
+}
+
+}  // namespace
+
+const std::vector<Line>& lines() {
+  static const std::vector<Line> kLines = {
+      {"S1: R, one raw intersection", "slab_walk", "R_ns", "ns"},
+      {"S1: an event", "slab_walk", "event_ns", "ns"},
+      {"S1: an event", "slab_walk", "event_per_R", "R", 2.0},
+      {"S1: photons", "slab_walk", "photons_per_s", "1/s"},
+      {"S1: events of a photon", "slab_walk", "events_per_photon", ""},
+      {"S2: R, one raw intersection", "film_walk", "R_ns", "ns"},
+      {"S2: an event, counted luminance", "film_walk_counting", "event_per_R", "R", 2.0},
+      {"S2: an event, with the next-event estimate", "film_walk", "event_per_R", "R"},
+      {"S2: photons, with the next-event estimate", "film_walk", "photons_per_s", "1/s"},
+      {"S2: events of a photon", "film_walk", "events_per_photon", ""},
+      {"one sample: smooth face", "sample_smooth_face", "sample_per_R", "R"},
+      {"one sample: white sheet", "sample_white_sheet", "sample_per_R", "R"},
+      {"one sample: mirror", "sample_mirror", "sample_per_R", "R"},
+      {"one sample: diffuser", "sample_diffuser", "sample_per_R", "R"},
+      {"one sample: DBEF, table", "sample_tabulated_dbef", "sample_per_R", "R"},
+      {"one sample: DBEF, ideal", "sample_ideal_dbef", "sample_per_R", "R"},
+      {"one sample: LPP", "sample_lpp", "sample_per_R", "R"},
+      {"luminance: gain of next-event over counting", "luminance_estimators", "gain", "x", {}, 40.0},
+      {"luminance: difference of the two", "luminance_estimators", "difference_se", "s.e."},
+      {"same, ideal DBEF: gain", "luminance_estimators_ideal", "gain", "x", {}, 40.0},
+      {"same, ideal DBEF: difference", "luminance_estimators_ideal", "difference_se", "s.e."},
+      {"cost of polarization, S1", "slab_polarization", "polarized_per_unpolarized", "x", 1.25},
+      {"cost of polarization, S2", "film_polarization", "polarized_per_unpolarized", "x", 1.35},
+      {"CPU time of a photon, all threads over one", "threads", "cpu_ratio_all", "x", 1.10},
+  };
+  return kLines;
+}
+
+std::string table_text(const Measurements& measurements) {
+  std::string text =
+      fmt::format("{:<46}{:>12} {:<5}{:>24}  {:<9}{}\n", "what", "median", "", "least ... most", "bar", "verdict");
+  for_each_measured(measurements, [&](const Line& line, const std::vector<double>& values) {
+    const Spread s = spread_of(values);
+    text += fmt::format("{:<46}{:>12.4g} {:<5}{:>24}  {:<9}{}\n", line.what, s.median, line.unit,
+                        fmt::format("{:.4g} ... {:.4g}", s.least, s.most), bar_of(line), verdict_of(line, s.median));
+  });
+  return text;
+}
+
+std::string table_json(const Measurements& measurements) {
+  auto rows = nlohmann::json::array();
+  for_each_measured(measurements, [&](const Line& line, const std::vector<double>& values) {
+    const Spread s = spread_of(values);
+    nlohmann::json row = {{"what", line.what}, {"benchmark", line.benchmark}, {"counter", line.counter},
+                          {"unit", line.unit}, {"median", s.median},          {"least", s.least},
+                          {"most", s.most},    {"repetitions", values.size()}};
+    if (line.at_most) row["at_most"] = *line.at_most;
+    if (line.at_least) row["at_least"] = *line.at_least;
+    if (line.at_most || line.at_least) row["met"] = verdict_of(line, s.median) == "met";
+    rows.push_back(std::move(row));
+  });
+  return nlohmann::json{{"table", std::move(rows)}}.dump(2) + "\n";
+}
+
+}  // namespace evenglow::bench

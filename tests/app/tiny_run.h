@@ -1,0 +1,51 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/support/program.h"
+
+/// A backlight of 20 mm x 10 mm that is designed in a second, and the program on it.
+namespace evenglow::tests {
+
+inline constexpr const char* kTinyRun = R"(evenglow: 1
+title: tiny
+backlight:
+  light_guide_plate: {length_mm: 20, width_mm: 10, thickness_mm: 0.6}
+  microstructure: {cells: [8, 4]}
+  sources: [{kind: led_row, count: 2, pitch_mm: 5}]
+  reflectors: {bottom: {kind: white}, right: {kind: white}}
+  films: [{kind: diffuser, transmittance: 0.88, reflectance: 0.10}, {kind: dbef}]
+variants:
+  lpp: {"backlight.films[1]": {kind: lpp}}
+  dbef: {}
+trace: {photons: 2e4, seed: 7, batches: 20}
+design: {stop_rms: 0.001, max_steps: 3}
+)";
+
+inline std::vector<std::string> words_of(const std::string& program, const std::vector<std::string>& arguments) {
+  std::vector<std::string> words = {program};
+  words.insert(words.end(), arguments.begin(), arguments.end());
+  return words;
+}
+
+/// `evenglow` with these arguments in `folder`.
+inline ProgramResult evenglow(const std::vector<std::string>& arguments, const std::filesystem::path& folder = {}) {
+  return run_program(words_of(EVENGLOW_PROGRAM, arguments), folder);
+}
+
+inline nlohmann::ordered_json json_of(const std::filesystem::path& file) {
+  return nlohmann::ordered_json::parse(file_text(file));
+}
+
+/// A result without what may differ from run to run.
+inline std::string lasting_part(const std::filesystem::path& result_file) {
+  nlohmann::ordered_json result = json_of(result_file);
+  result.erase("timing");
+  result.erase("threads");
+  return result.dump(1);
+}
+
+}  // namespace evenglow::tests

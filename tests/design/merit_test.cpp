@@ -1,0 +1,174 @@
+#include "design/problem/merit.h"
+
+#include <cmath>
+#include <random>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "core/base/error.h"
+#include "core/base/units.h"
+
+/// The noise-corrected RMS on maps whose RMS is known. Seeds fixed; what each test may raise by chance is said at it.
+namespace evenglow::design {
+namespace {
+
+constexpr int kNx = 24, kNy = 12, kCells = kNx * kNy;
+
+/// A smooth pattern of mean 1 and of exactly this standard deviation.
+std::vector<double> pattern(double rms) {
+  std::vector<double> p(kCells);
+  double mean = 0.0, squares = 0.0;
+  for (int i = 0; i < kCells; ++i) {
+    const double x = (i % kNx + 0.5) / kNx, y = (i / kNx + 0.5) / kNy;
+    p[static_cast<std::size_t>(i)] = std::cos(core::kPi * x) + 0.5 * std::cos(2.0 * core::kPi * y) + 0.3 * std::sin(7.0 * x * y);
+    mean += p[static_cast<std::size_t>(i)] / kCells;
+  }
+  for (double& v : p) {
+    v -= mean;
+    squares += v * v / kCells;
+  }
+  for (double& v : p) v = 1.0 + v * rms / std::sqrt(squares);
+  return p;
+}
+
+struct Noise {
+  double photons_a_cell = 100.0;  ///< in each batch
+  double common = 0.0;            ///< relative noise of a whole batch that all cells share
+  double wave = 0.0;              ///< relative noise of each batch in one smooth mode across the map: neighboring cells correlate
+};
+
+core::Tally draw(const std::vector<double>& p, const Noise& noise, int batches, std::mt19937_64& generator) {
+  core::Tally tally(p.size());
+  std::normal_distribution<double> normal;
+  for (int b = 0; b < batches; ++b) {
+    const double level = 1.0 + noise.common * normal(generator), wave = noise.wave * normal(generator);
+    std::vector<double> sums(p.size());
+    for (std::size_t i = 0; i < p.size(); ++i) {
+      const double x = (static_cast<int>(i) % kNx + 0.5) / kNx;
+      std::poisson_distribution<int> count(noise.photons_a_cell * p[i] * level * (1.0 + wave * std::cos(3.0 * core::kPi * x)));
+      sums[i] = count(generator);
+    }
+    tally.add_batch(std::move(sums));
+  }
+  return tally;
+}
+
+struct Square {
+  double value, se;
+};
+
+/// The squared RMS and its error, from the signed root and its own error.
+Square square_of(const core::Estimate& root) {
+  const double size = std::abs(root.value);
+  return {root.value * size, size >= 2.0 * root.se ? 2.0 * root.se * size : 4.0 * root.se * root.se};
+}
+
+struct Pulls {
+  double mean = 0.0, width = 0.0, root_of_mean = 0.0, noise = 0.0;
+};
+
+Pulls pulls(double rms, const Noise& noise, int repetitions) {
+  const std::vector<double> p = pattern(rms);
+  std::mt19937_64 generator(20260101);
+  double sum = 0.0, squares = 0.0, estimates = 0.0, plain = 0.0;
+  for (int i = 0; i < repetitions; ++i) {
+    const Evenness e = evenness(draw(p, noise, 100, generator));
+    const Square s = square_of(e.rms_corrected);
+    const double pull = (s.value - rms * rms) / s.se;
+    sum += pull;
+    squares += pull * pull;
+    estimates += s.value / repetitions;
+    plain += e.rms / repetitions;
+  }
+  const double mean = sum / repetitions;
+  return {mean, std::sqrt(squares / repetitions - mean * mean), std::copysign(std::sqrt(std::abs(estimates)), estimates), plain};
+}
+
+/// 400 repetitions: the width of unit pulls has a standard error of 0.035, so 0.1 is 2.8 of them (false alarm 0.005 each); the
+/// mean is held to 5 standard errors.
+class EvennessPulls : public testing::TestWithParam<double> {};
+
+TEST_P(EvennessPulls, HaveUnitWidthAndNoBias) {
+  const double rms = GetParam();
+  const Pulls result = pulls(rms, {}, 400);
+  std::printf("rms %.3f: plain %.5f, corrected %.5f, pull %.3f +- %.3f\n", rms, result.noise, result.root_of_mean, result.mean, result.width);
+  EXPECT_NEAR(result.width, 1.0, 0.1);
+  EXPECT_LT(std::abs(result.mean), 0.25);
+  EXPECT_GT(result.noise, rms);
+  if (rms > 0.0) {
+    EXPECT_NEAR(result.root_of_mean, rms, 2e-4);  // 0.02 percentage points
+  }
+}
+INSTANTIATE_TEST_SUITE_P(Rms, EvennessPulls, testing::Values(0.0, 0.003, 0.01, 0.03, 0.2));
+
+/// Noise that all cells of a batch share drops out; noise that neighbors share is held by the error.
+TEST(Evenness, CorrelatedNoise) {
+  for (const Noise& noise : {Noise{100.0, 0.1, 0.0}, {100.0, 0.0, 0.02}}) {
+    const Pulls result = pulls(0.01, noise, 400);
+    std::printf("common %.2f wave %.2f: plain %.5f, corrected %.5f, pull %.3f +- %.3f\n", noise.common, noise.wave, result.noise, result.root_of_mean, result.mean, result.width);
+    EXPECT_NEAR(result.width, 1.0, 0.1);
+    EXPECT_NEAR(result.root_of_mean, 0.01, 2e-4);
+  }
+}
+
+TEST(Evenness, PlainRmsIsThatOfTheMap) {
+  const std::vector<double> p = pattern(0.03);
+  core::Tally tally(p.size());
+  for (int b = 0; b < 5; ++b) tally.add_batch(p);
+  const Evenness e = evenness(tally);
+  EXPECT_NEAR(e.rms, 0.03, 1e-12);
+  EXPECT_NEAR(e.rms_corrected.value, 0.03, 1e-12);  // no noise to take off
+  EXPECT_NEAR(e.rms_corrected.se, 0.0, 1e-9);
+  EXPECT_NEAR(e.mean.value, 5.0, 1e-12);
+}
+
+/// Scores of any size: the unit drops out.
+TEST(Evenness, DoesNotDependOnTheUnit) {
+  std::mt19937_64 generator(4);
+  const core::Tally tally = draw(pattern(0.02), {}, 20, generator);
+  core::Tally scaled(tally.bins());
+  for (std::size_t b = 0; b < tally.batches(); ++b) {
+    std::vector<double> sums = tally.batch(b);
+    for (double& v : sums) v *= 1e-7;
+    scaled.add_batch(std::move(sums));
+  }
+  EXPECT_NEAR(evenness(tally).rms_corrected.value, evenness(scaled).rms_corrected.value, 1e-12);
+  EXPECT_NEAR(evenness(tally).rms_corrected.se, evenness(scaled).rms_corrected.se, 1e-12);
+}
+
+TEST(Evenness, DarkMapsAndTooFewBatches) {
+  core::Tally dark(4);
+  for (int b = 0; b < 3; ++b) dark.add_batch({0, 0, 0, 0});
+  EXPECT_EQ(evenness(dark).rms, 0.0);
+  core::Tally two(4);
+  two.add_batch({1, 1, 1, 1});
+  two.add_batch({1, 1, 1, 1});
+  EXPECT_THROW(evenness(two), core::Error);
+}
+
+TEST(Uniformity, SpotsAtNineAndThirteenPoints) {
+  core::CellField field(core::CellGrid::over(100, 50, 3.0, 1.0, 103.0, 51.0), 10.0);
+  EXPECT_DOUBLE_EQ(uniformity_9(field), 1.0);
+  EXPECT_DOUBLE_EQ(uniformity_13(field), 1.0);
+  const auto darken = [&](double u, double v, double value) {
+    for (int iy = 0; iy < 50; ++iy) {
+      for (int ix = 0; ix < 100; ++ix) {
+        const double x = field.grid.center_x(ix) - 3.0 - 100.0 * u, y = field.grid.center_y(iy) - 1.0 - 50.0 * v;
+        if (std::hypot(x, y) < 6.0) field.values[static_cast<std::size_t>(iy * 100 + ix)] = value;
+      }
+    }
+  };
+  darken(0.3, 0.7, 8.0);  // one of the thirteen only
+  EXPECT_DOUBLE_EQ(uniformity_9(field), 1.0);
+  EXPECT_DOUBLE_EQ(uniformity_13(field), 0.8);
+  darken(0.9, 0.1, 5.0);
+  EXPECT_DOUBLE_EQ(uniformity_9(field), 0.5);
+  darken(0.5, 0.5, 20.0);
+  EXPECT_DOUBLE_EQ(center_luminance(field), 20.0);
+  EXPECT_DOUBLE_EQ(uniformity_9(field), 0.25);
+  EXPECT_EQ(uniformity_9(core::CellField(field.grid, 0.0)), 0.0);
+}
+
+}  // namespace
+}  // namespace evenglow::design
