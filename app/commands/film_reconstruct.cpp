@@ -99,23 +99,29 @@ class FilmReconstruct final : public FilmCommand {
     command
         .add_option("READINGS.csv", readings_,
                     "readings, 1/sr: columns b0,b45,b90,b135, or in_kind ... value,se (docs/films.md)")
+        ->type_name("FILE")
         ->required();
-    command.add_option("-o,--out", table_, "table to write; of general readings also TABLE.mueller.csv")->required();
+    command.add_option("-o,--out", table_, "table to write; of general readings also TABLE.mueller.csv")
+        ->type_name("FILE")
+        ->required();
     command
         .add_option(
             "--angles", angles_,
             "polarizer angles (degrees) count from: film (its pass axis; default) or laboratory (e1 of the ray)")
+        ->type_name("FROM")
         ->transform(CLI::IsMember(std::vector<std::string>{"film", "laboratory"}));
     command
         .add_option("--bias", bias_,
                     "take the upward bias off D = tau_max - tau_min: none (default), square (D^2 without bias: D^2 - 4 "
                     "s^2), amplitude (D to first order: D^2 - 2 s^2)")
+        ->type_name("KIND")
         ->transform(CLI::IsMember(std::vector<std::string>{"none", "square", "amplitude"}));
     add_transmittances(command, "--k", options_.polarizer, "polarizer of the illumination");
     add_transmittances(command, "--analyzer-k", options_.analyzer, "analyzer of the observation (general readings)");
     command.add_flag("--covariance", covariance_, "of general readings also write TABLE.covariance.csv (136 columns)");
     command.add_option("--threads", threads_, "threads (default 0: all; the result does not depend on it)")
-        ->check(CLI::Range(0, 4096));
+        ->check(CLI::Range(0, 4096))
+        ->type_name("N");
     command.add_flag("--overwrite", overwrite_, "replace files that are there");
   }
 
@@ -147,9 +153,11 @@ class FilmReconstruct final : public FilmCommand {
  private:
   static void add_transmittances(CLI::App& command, const std::string& name, tracer::PrincipalTransmittances& k,
                                  const std::string& what) {
-    command.add_option(name + "1", k.k1,
-                       "greatest transmittance of the " + what + " for linear light, 0 to 1 (default 1)");
-    command.add_option(name + "2", k.k2, "its least transmittance, below the greatest (default 0: ideal)");
+    command
+        .add_option(name + "1", k.k1, "greatest transmittance of the " + what + " for linear light, 0 to 1 (default 1)")
+        ->type_name("T");
+    command.add_option(name + "2", k.k2, "its least transmittance, below the greatest (default 0: ideal)")
+        ->type_name("T");
   }
 
   static void check_transmittances(const std::string& name, const tracer::PrincipalTransmittances& k) {

@@ -41,7 +41,8 @@ TEST(Batches, NoMoreThreadsThanAsked) {
   run_batches(64, 2, [&](std::size_t) {
     const int running = ++now;
     int seen = most;
-    while (running > seen && !most.compare_exchange_weak(seen, running)) {}
+    while (running > seen && !most.compare_exchange_weak(seen, running)) {
+    }
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
     --now;
   });
@@ -59,7 +60,11 @@ TEST(Batches, StopEndsTheRunEarly) {
   std::stop_source stop;
   std::atomic<int> runs = 0;
   const bool complete = run_batches(
-      100, 1, [&](std::size_t) { if (++runs == 5) stop.request_stop(); }, stop.get_token());
+      100, 1,
+      [&](std::size_t) {
+        if (++runs == 5) stop.request_stop();
+      },
+      stop.get_token());
   EXPECT_FALSE(complete);
   EXPECT_EQ(runs, 5);
 }
@@ -68,8 +73,8 @@ TEST(Batches, ThreadsAndTime) {
   EXPECT_EQ(effective_threads(3), 3);
   EXPECT_GE(effective_threads(0), 1);
   const double before = process_cpu_seconds();
-  while (process_cpu_seconds() < before + 1e-3) {}  // it moves while we work
-
+  while (process_cpu_seconds() < before + 1e-3) {
+  }  // it moves while we work
 }
 
 }  // namespace

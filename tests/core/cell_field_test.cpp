@@ -12,7 +12,8 @@ CellField ramp(int nx, int ny) {
   CellField field(CellGrid::over(nx, ny, 1.0, 2.0, 1.0 + 2.0 * nx, 2.0 + 3.0 * ny), 0.0);
   for (int iy = 0; iy < ny; ++iy) {
     for (int ix = 0; ix < nx; ++ix) {
-      field.values[static_cast<std::size_t>(iy * nx + ix)] = 5.0 + 0.5 * field.grid.center_x(ix) - 0.25 * field.grid.center_y(iy);
+      field.values[static_cast<std::size_t>(iy * nx + ix)] =
+          5.0 + 0.5 * field.grid.center_x(ix) - 0.25 * field.grid.center_y(iy);
     }
   }
   return field;

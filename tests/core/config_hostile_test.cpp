@@ -63,6 +63,17 @@ INSTANTIATE_TEST_SUITE_P(
         StructureCase{"v:\n  a.b[2]: 1\n  c: {\"a.b[3]\": 1}\n", {}},
         StructureCase{"a: b: c", {"run.yaml:1:5: not valid YAML: illegal map value"}},
         StructureCase{"a: 'x", {"run.yaml:1:6: not valid YAML: illegal EOF in scalar"}},
+        StructureCase{"a: 'x\nb: 1\n", {"run.yaml:1:4: not valid YAML: the quote that opens here is never closed"}},
+        StructureCase{"b: 1\na: \"x\n", {"run.yaml:2:4: not valid YAML: the quote that opens here is never closed"}},
+        StructureCase{"\xef\xbb\xbf"
+                      "a: 'it''s\n",
+                      {"run.yaml:1:4: not valid YAML: the quote that opens here is never closed"}},
+        StructureCase{"a: \"x\\\"\n", {"run.yaml:1:4: not valid YAML: the quote that opens here is never closed"}},
+        StructureCase{"a: 'it''s'\nb: \"\\\"x\\\\\"\n", {}}, StructureCase{"a: ''\n", {}},
+        StructureCase{"'a': \"\"\n\n", {}},
+        StructureCase{
+            "a:\n  b: 1\n\tc: 2\n",
+            {"run.yaml:3:3: not valid YAML: illegal map value (lines must be indented with spaces, not tabs)"}},
         StructureCase{"a: *x", {"run.yaml:1:4: not valid YAML: the referenced anchor is not defined"}},
         StructureCase{"a: &x [1, *x]", {"run.yaml:1:11: an alias must not stand inside the value that it names"}},
         StructureCase{"a: &x {b: {c: *x}}", {"run.yaml:1:15: an alias must not stand inside the value that it names"}},

@@ -8,7 +8,8 @@ namespace evenglow::core {
 namespace {
 
 TEST(Fault, OneLineWithWhatIsKnown) {
-  EXPECT_EQ((Fault{"run.yaml", 3, 7, "backlight.films", "must be a list"}).to_string(), "run.yaml:3:7: backlight.films: must be a list");
+  EXPECT_EQ((Fault{"run.yaml", 3, 7, "backlight.films", "must be a list"}).to_string(),
+            "run.yaml:3:7: backlight.films: must be a list");
   EXPECT_EQ((Fault{"run.yaml", 3, 0, "", "is odd"}).to_string(), "run.yaml:3: is odd");
   EXPECT_EQ((Fault{"run.yaml", 0, 7, "", "is odd"}).to_string(), "run.yaml: is odd");
   EXPECT_EQ((Fault{"--set", 0, 0, "", "must be key=value"}).to_string(), "--set: must be key=value");

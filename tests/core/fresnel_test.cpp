@@ -81,8 +81,8 @@ TEST(Fresnel, PhaseOfTotalReflection) {
       EXPECT_NEAR(std::abs(face.r_p), 1.0, 1e-14);
       EXPECT_EQ(face.t_s, 0.0);
       const double d = std::arg(face.r_s * std::conj(face.r_p));
-      const double expected = 2.0 * std::atan(std::cos(i) * std::sqrt(std::sin(i) * std::sin(i) - n * n) /
-                                              (std::sin(i) * std::sin(i)));
+      const double expected =
+          2.0 * std::atan(std::cos(i) * std::sqrt(std::sin(i) * std::sin(i) - n * n) / (std::sin(i) * std::sin(i)));
       EXPECT_NEAR(d, expected, 1e-9) << glass << " " << degrees;
       EXPECT_GE(d, 0.0);
     }

@@ -37,7 +37,8 @@ TEST(Mueller, Malus) {
   for (const double degrees : {0.0, 10.0, 30.0, 45.0, 60.0, 90.0, 135.0}) {
     const double a = degrees * kRadPerDeg;
     const StokesVector light = StokesVector::linear(3.0, a, {});
-    EXPECT_NEAR(apply(diattenuator(1.0, 0.0), light, Vec3::UnitX(), light.frame).I, 3.0 * std::cos(a) * std::cos(a), 1e-14);
+    EXPECT_NEAR(apply(diattenuator(1.0, 0.0), light, Vec3::UnitX(), light.frame).I, 3.0 * std::cos(a) * std::cos(a),
+                1e-14);
     EXPECT_NEAR((polarizer(a) * Eigen::Vector4d(1, 1, 0, 0))[0], std::cos(a) * std::cos(a), 1e-14);
   }
 }
@@ -88,7 +89,8 @@ TEST(Mueller, QuarterWavePlateMakesCircularLight) {
 
 TEST(Mueller, KappaAndDepolarizerTakeCoherence) {
   EXPECT_NEAR(diattenuator(0.9, 0.4, 0.5)(2, 2), 0.5 * 0.6, 1e-15);
-  EXPECT_NEAR((depolarizer(0.25) * Eigen::Vector4d(1, 0.4, 0.4, 0.8) - Eigen::Vector4d(1, 0.3, 0.3, 0.6)).norm(), 0.0, 1e-15);
+  EXPECT_NEAR((depolarizer(0.25) * Eigen::Vector4d(1, 0.4, 0.4, 0.8) - Eigen::Vector4d(1, 0.3, 0.3, 0.6)).norm(), 0.0,
+              1e-15);
 }
 
 TEST(Mueller, SumsOfJonesMatricesArePhysical) {
@@ -108,7 +110,8 @@ TEST(Mueller, SumsOfJonesMatricesArePhysical) {
 
 TEST(Mueller, WhatNoElementCanDoIsRefused) {
   EXPECT_TRUE(is_physical(MuellerMatrix::Zero()));
-  // The mirror image of a state without turning the field: the transpose of every coherency, no optical element does it.
+  // The mirror image of a state without turning the field: the transpose of every coherency, no optical element does
+  // it.
   MuellerMatrix M = MuellerMatrix::Identity();
   M(3, 3) = -1.0;
   EXPECT_NEAR(least_coherency_eigenvalue(M), -0.5, 1e-14);

@@ -23,7 +23,8 @@ std::vector<double> numbers(const RandomKey& key, std::uint64_t photon, int coun
 
 /// Known answer of Philox4x64-10 for counter 0 and key 0 (the file kat_vectors of Random123).
 TEST(PhotonRng, KnownAnswer) {
-  const std::uint64_t words[] = {0x16554d9eca36314cULL, 0xdb20fe9d672d0fdcULL, 0xd7e772cee186176bULL, 0x7e68b68aec7ba23bULL};
+  const std::uint64_t words[] = {0x16554d9eca36314cULL, 0xdb20fe9d672d0fdcULL, 0xd7e772cee186176bULL,
+                                 0x7e68b68aec7ba23bULL};
   PhotonRng rng({0, 0, 0}, 0);
   for (const std::uint64_t word : words) EXPECT_EQ(rng.uniform(), (static_cast<double>(word >> 11) + 0.5) * 0x1.0p-53);
 }
@@ -34,9 +35,9 @@ TEST(PhotonRng, SameKeySameNumbers) {
 
 TEST(PhotonRng, EveryFieldChangesAllNumbers) {
   const std::vector<std::vector<double>> runs = {
-      numbers({5, 2, 3}, 77, 100), numbers({6, 2, 3}, 77, 100), numbers({5, 3, 3}, 77, 100), numbers({5, 2, 4}, 77, 100),
-      numbers({5, 2, 3}, 78, 100), numbers({5, 3, 2}, 77, 100), numbers({5ULL << 32, 2, 3}, 77, 100),
-      numbers({5, 2, 3}, 77ULL << 32, 100)};
+      numbers({5, 2, 3}, 77, 100),          numbers({6, 2, 3}, 77, 100),         numbers({5, 3, 3}, 77, 100),
+      numbers({5, 2, 4}, 77, 100),          numbers({5, 2, 3}, 78, 100),         numbers({5, 3, 2}, 77, 100),
+      numbers({5ULL << 32, 2, 3}, 77, 100), numbers({5, 2, 3}, 77ULL << 32, 100)};
   std::set<double> all;
   for (const auto& run : runs) all.insert(run.begin(), run.end());
   EXPECT_EQ(all.size(), runs.size() * 100);

@@ -16,7 +16,8 @@ namespace {
 
 constexpr int kPolar = 20, kAzimuth = 12, kSamples = 200000;
 
-void check(const std::function<Vec3(double, double)>& sample, const std::function<double(double)>& cumulative, double chance) {
+void check(const std::function<Vec3(double, double)>& sample, const std::function<double(double)>& cumulative,
+           double chance) {
   std::vector<double> counts(kPolar * kAzimuth, 0.0);
   PhotonRng rng({20260101, 1, 0}, 0);
   for (int i = 0; i < kSamples; ++i) {
@@ -36,7 +37,8 @@ void check(const std::function<Vec3(double, double)>& sample, const std::functio
 }
 
 TEST(Sampling, Lambertian) {
-  check(sample_lambertian, [](double c) { return 1.0 - c * c; }, 1e-3);
+  check(
+      sample_lambertian, [](double c) { return 1.0 - c * c; }, 1e-3);
 }
 
 TEST(Sampling, CosinePower) {

@@ -1,6 +1,7 @@
 #include "design/problem/merit.h"
 
 #include <cmath>
+#include <cstdio>
 #include <random>
 #include <vector>
 
@@ -21,7 +22,8 @@ std::vector<double> pattern(double rms) {
   double mean = 0.0, squares = 0.0;
   for (int i = 0; i < kCells; ++i) {
     const double x = (i % kNx + 0.5) / kNx, y = (i / kNx + 0.5) / kNy;
-    p[static_cast<std::size_t>(i)] = std::cos(core::kPi * x) + 0.5 * std::cos(2.0 * core::kPi * y) + 0.3 * std::sin(7.0 * x * y);
+    p[static_cast<std::size_t>(i)] =
+        std::cos(core::kPi * x) + 0.5 * std::cos(2.0 * core::kPi * y) + 0.3 * std::sin(7.0 * x * y);
     mean += p[static_cast<std::size_t>(i)] / kCells;
   }
   for (double& v : p) {
@@ -35,7 +37,7 @@ std::vector<double> pattern(double rms) {
 struct Noise {
   double photons_a_cell = 100.0;  ///< in each batch
   double common = 0.0;            ///< relative noise of a whole batch that all cells share
-  double wave = 0.0;              ///< relative noise of each batch in one smooth mode across the map: neighboring cells correlate
+  double wave = 0.0;  ///< relative noise of each batch in one smooth mode across the map: neighboring cells correlate
 };
 
 core::Tally draw(const std::vector<double>& p, const Noise& noise, int batches, std::mt19937_64& generator) {
@@ -46,7 +48,8 @@ core::Tally draw(const std::vector<double>& p, const Noise& noise, int batches, 
     std::vector<double> sums(p.size());
     for (std::size_t i = 0; i < p.size(); ++i) {
       const double x = (static_cast<int>(i) % kNx + 0.5) / kNx;
-      std::poisson_distribution<int> count(noise.photons_a_cell * p[i] * level * (1.0 + wave * std::cos(3.0 * core::kPi * x)));
+      std::poisson_distribution<int> count(noise.photons_a_cell * p[i] * level *
+                                           (1.0 + wave * std::cos(3.0 * core::kPi * x)));
       sums[i] = count(generator);
     }
     tally.add_batch(std::move(sums));
@@ -82,17 +85,19 @@ Pulls pulls(double rms, const Noise& noise, int repetitions) {
     plain += e.rms / repetitions;
   }
   const double mean = sum / repetitions;
-  return {mean, std::sqrt(squares / repetitions - mean * mean), std::copysign(std::sqrt(std::abs(estimates)), estimates), plain};
+  return {mean, std::sqrt(squares / repetitions - mean * mean),
+          std::copysign(std::sqrt(std::abs(estimates)), estimates), plain};
 }
 
-/// 400 repetitions: the width of unit pulls has a standard error of 0.035, so 0.1 is 2.8 of them (false alarm 0.005 each); the
-/// mean is held to 5 standard errors.
+/// 400 repetitions: the width of unit pulls has a standard error of 0.035, so 0.1 is 2.8 of them (false alarm 0.005
+/// each); the mean is held to 5 standard errors.
 class EvennessPulls : public testing::TestWithParam<double> {};
 
 TEST_P(EvennessPulls, HaveUnitWidthAndNoBias) {
   const double rms = GetParam();
   const Pulls result = pulls(rms, {}, 400);
-  std::printf("rms %.3f: plain %.5f, corrected %.5f, pull %.3f +- %.3f\n", rms, result.noise, result.root_of_mean, result.mean, result.width);
+  std::printf("rms %.3f: plain %.5f, corrected %.5f, pull %.3f +- %.3f\n", rms, result.noise, result.root_of_mean,
+              result.mean, result.width);
   EXPECT_NEAR(result.width, 1.0, 0.1);
   EXPECT_LT(std::abs(result.mean), 0.25);
   EXPECT_GT(result.noise, rms);
@@ -106,7 +111,8 @@ INSTANTIATE_TEST_SUITE_P(Rms, EvennessPulls, testing::Values(0.0, 0.003, 0.01, 0
 TEST(Evenness, CorrelatedNoise) {
   for (const Noise& noise : {Noise{100.0, 0.1, 0.0}, {100.0, 0.0, 0.02}}) {
     const Pulls result = pulls(0.01, noise, 400);
-    std::printf("common %.2f wave %.2f: plain %.5f, corrected %.5f, pull %.3f +- %.3f\n", noise.common, noise.wave, result.noise, result.root_of_mean, result.mean, result.width);
+    std::printf("common %.2f wave %.2f: plain %.5f, corrected %.5f, pull %.3f +- %.3f\n", noise.common, noise.wave,
+                result.noise, result.root_of_mean, result.mean, result.width);
     EXPECT_NEAR(result.width, 1.0, 0.1);
     EXPECT_NEAR(result.root_of_mean, 0.01, 2e-4);
   }

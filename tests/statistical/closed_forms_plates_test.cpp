@@ -10,8 +10,8 @@
 #include "tests/support/z_test.h"
 #include "tracer/optics/dielectric_face.h"
 
-/// Stacks of N glass sheets against the incoherent closed form, s and p apart, natural light their mean. Counts are binomial;
-/// seeds fixed; false alarm 1e-3 for each test, Sidak-corrected over its 2 x 72 (2 x 36) comparisons.
+/// Stacks of N glass sheets against the incoherent closed form, s and p apart, natural light their mean. Counts are
+/// binomial; seeds fixed; false alarm 1e-3 for each test, Sidak-corrected over its 2 x 72 (2 x 36) comparisons.
 namespace evenglow::tests {
 namespace {
 
@@ -66,18 +66,20 @@ void check_stacks(double absorption, std::uint64_t photons) {
   for (const int count : {1, 2, 5}) {
     std::string films;
     for (int n = 0; n < count; ++n) {
-      films += std::string(n > 0 ? ", " : "") + "{kind: sheet, refractive_index: " + text_of(kIndex) + ", thickness_mm: " +
-               text_of(kThickness) + ", absorption_per_m: " + text_of(1000.0 * absorption) + "}";
+      films += std::string(n > 0 ? ", " : "") + "{kind: sheet, refractive_index: " + text_of(kIndex) +
+               ", thickness_mm: " + text_of(kThickness) + ", absorption_per_m: " + text_of(1000.0 * absorption) + "}";
     }
     for (const double degrees : {0.0, 40.0, 60.0, 75.0}) {
       for (const char* light : {"linear, azimuth_deg: 0", "linear, azimuth_deg: 90", "none"}) {
         const std::string polarization = light;
-        Shares expected = stack(count, degrees, polarization.back() == '0' && polarization[polarization.size() - 2] != '9', absorption);
+        Shares expected = stack(count, degrees,
+                                polarization.back() == '0' && polarization[polarization.size() - 2] != '9', absorption);
         if (polarization == "none") {
           const Shares p = stack(count, degrees, true, absorption), s = stack(count, degrees, false, absorption);
           expected = {0.5 * (p.T + s.T), 0.5 * (p.R + s.R)};
         }
-        const Traced traced("size: {length_mm: 400, width_mm: 400}, films: [" + films + "], sources: [{kind: beam, size_share: 0.01, plane_deg: 25, angle_deg: " +
+        const Traced traced("size: {length_mm: 400, width_mm: 400}, films: [" + films +
+                                "], sources: [{kind: beam, size_share: 0.01, plane_deg: 25, angle_deg: " +
                                 text_of(degrees) + ", polarization: " + polarization + "}]",
                             {photons, seed++, 10, 1});
         const auto where = testing::Message() << count << " sheets, " << degrees << " degrees, " << light;

@@ -24,7 +24,8 @@ std::string lpp(double axis_deg, const std::string& more = "k1: 1, k2: 0, reflec
 }
 
 std::string beam_through(const std::string& films, const std::string& beam) {
-  return "size: {length_mm: 100, width_mm: 100}, films: [" + films + "], sources: [{kind: beam, face: bottom, " + beam + "}]";
+  return "size: {length_mm: 100, width_mm: 100}, films: [" + films + "], sources: [{kind: beam, face: bottom, " + beam +
+         "}]";
 }
 
 double z_top(const std::string& films, const std::string& beam, double expected) {
@@ -38,7 +39,8 @@ TEST(ClosedFormPolarizers, Malus) {
   const double limit = z_limit(1e-3, 8);
   for (const double degrees : {0.0, 20.0, 45.0, 70.0, 90.0, 130.0}) {
     const double c = std::cos(degrees * core::kRadPerDeg);
-    EXPECT_LT(z_top(lpp(degrees), "polarization: linear, azimuth_deg: 0", degrees == 90.0 ? 0.0 : c * c), limit) << degrees;
+    EXPECT_LT(z_top(lpp(degrees), "polarization: linear, azimuth_deg: 0", degrees == 90.0 ? 0.0 : c * c), limit)
+        << degrees;
   }
   EXPECT_LT(z_top(lpp(20), "polarization: none", 0.5), limit);
   EXPECT_LT(z_top(lpp(20), "polarization: circular", 0.5), limit);
@@ -54,7 +56,8 @@ TEST(ClosedFormPolarizers, ThreePolarizers) {
 
 /// p light at Brewster's angle is not reflected at all; s light by the incoherent closed form 2 R / (1 + R).
 TEST(ClosedFormPolarizers, BrewsterSheet) {
-  const std::string angle = "angle_deg: " + text_of(std::atan(1.5) / core::kRadPerDeg) + ", plane_deg: 30, polarization: linear, azimuth_deg: ";
+  const std::string angle = "angle_deg: " + text_of(std::atan(1.5) / core::kRadPerDeg) +
+                            ", plane_deg: 30, polarization: linear, azimuth_deg: ";
   const std::string sheet = "{kind: sheet, refractive_index: 1.5}";
   const Traced p(beam_through(sheet, angle + "0"), kSetup);
   EXPECT_EQ(p.escaped(Side::kTop), p.photons());
@@ -74,12 +77,14 @@ TEST(ClosedFormPolarizers, SheetAndPolarizerByMuellerMatrices) {
     for (const double axis : {50.0, 120.0}) {
       const IdealPolarizer film = lpp_surface({1.0, 0.0, 0.0, axis * core::kRadPerDeg});
       const Eigen::Vector4d in(1.0, 0.0, 1.0, 0.0);  // azimuth 45, in the tangential count
-      const std::string beam = "angle_deg: " + text_of(angle) + ", polarization: linear, azimuth_deg: 45, size_share: 0.1";
+      const std::string beam =
+          "angle_deg: " + text_of(angle) + ", polarization: linear, azimuth_deg: 45, size_share: 0.1";
       const double through = (film.specular(k).transmission * sheet.transmission * in)[0];
       EXPECT_LT(z_top(sheet_text + ", " + lpp(axis), beam, through), limit) << angle << " " << axis;
       const double back = (film.specular(down).transmission * sheet.reflection * film.specular(k).transmission * in)[0];
       const Traced traced(beam_through(lpp(axis) + ", " + sheet_text, beam), kSetup);
-      EXPECT_LT(std::abs(binomial_z(traced.escaped(Side::kBottom), traced.photons(), back)), limit) << angle << " " << axis;
+      EXPECT_LT(std::abs(binomial_z(traced.escaped(Side::kBottom), traced.photons(), back)), limit)
+          << angle << " " << axis;
     }
   }
 }

@@ -2,6 +2,8 @@
 #include <cmath>
 #include <complex>
 #include <cstdint>
+#include <cstdio>
+#include <string>
 
 #include <gtest/gtest.h>
 
@@ -10,9 +12,9 @@
 #include "tests/support/scenes.h"
 #include "tests/support/z_test.h"
 
-/// A bare lossless slab with n > sqrt 2, natural Lambertian light in air at its end face: nothing may leave its other faces but
-/// the far end, and what leaves that end is known from a computation of its own: rays with complex field vectors, everything
-/// written out here, nothing of the tracer. Seeds fixed.
+/// A bare lossless slab with n > sqrt 2, natural Lambertian light in air at its end face: nothing may leave its other
+/// faces but the far end, and what leaves that end is known from a computation of its own: rays with complex field
+/// vectors, everything written out here, nothing of the tracer. Seeds fixed.
 namespace evenglow::tests {
 namespace {
 
@@ -24,8 +26,8 @@ using Field = Eigen::Vector3cd;
 constexpr double kIndex = 1.4938;
 const Vec3 kSize(6.0, 4.0, 2.5);
 
-/// Field reflected by the inner side of a face with unit normal along `axis`; k is mirrored. `phases`: with the phases of total
-/// reflection, or as an ideal mirror would have it.
+/// Field reflected by the inner side of a face with unit normal along `axis`; k is mirrored. `phases`: with the phases
+/// of total reflection, or as an ideal mirror would have it.
 Field reflected(const Field& E, const Vec3& k, int axis, bool phases) {
   const Vec3 normal = Vec3::Unit(axis);
   const Vec3 cross = k.cross(normal);
@@ -36,7 +38,8 @@ Field reflected(const Field& E, const Vec3& k, int axis, bool phases) {
   const double cos_i = std::abs(k[axis]);
   Complex rs = -1.0, rp = 1.0;
   if (phases || kIndex * sin_i < 1.0) {
-    const Complex cos_t = std::sqrt(Complex(1.0 - kIndex * kIndex * sin_i * sin_i, 0.0));  // + i: decays with exp(-i w t)
+    const Complex cos_t =
+        std::sqrt(Complex(1.0 - kIndex * kIndex * sin_i * sin_i, 0.0));  // + i: decays with exp(-i w t)
     rs = (kIndex * cos_i - cos_t) / (kIndex * cos_i + cos_t);
     rp = (cos_i - kIndex * cos_t) / (cos_i + kIndex * cos_t);
   }
@@ -73,7 +76,8 @@ struct EndShares {
   core::Estimate near, far;
 };
 
-/// Points and directions from a lattice in four dimensions (Roberts' R sequence), moved at random 16 times (for the error).
+/// Points and directions from a lattice in four dimensions (Roberts' R sequence), moved at random 16 times (for the
+/// error).
 EndShares lattice_sum(int points, bool phases) {
   constexpr int kShifts = 16;
   double g = 1.2;  // root of x^5 = x + 1
@@ -120,8 +124,10 @@ EndShares lattice_sum(int points, bool phases) {
 
 /// z of counted shares against the lattice sum, both errors in it.
 void check_slab(std::uint64_t photons, int points, int threads) {
-  const Traced traced("light_guide_plate: {length_mm: 6, width_mm: 4, thickness_mm: 2.5, refractive_index: 1.4938}, "
-                      "sources: [{kind: lambertian_face, face: left}], receivers: [{kind: flux}]", {photons, 1, 10, threads});
+  const Traced traced(
+      "light_guide_plate: {length_mm: 6, width_mm: 4, thickness_mm: 2.5, refractive_index: 1.4938}, "
+      "sources: [{kind: lambertian_face, face: left}], receivers: [{kind: flux}]",
+      {photons, 1, 10, threads});
   for (const Side side : {Side::kFront, Side::kBack, Side::kBottom, Side::kTop}) EXPECT_EQ(traced.escaped(side), 0.0);
   EXPECT_EQ(traced.escaped(Side::kLeft) + traced.escaped(Side::kRight), traced.photons());
   const EndShares with = lattice_sum(points, true), without = lattice_sum(points, false);
@@ -131,15 +137,15 @@ void check_slab(std::uint64_t photons, int points, int threads) {
   EXPECT_NEAR(with.near.value + with.far.value, 1.0, 1e-7);
   EXPECT_LT(with.far.se, 0.3 * se);
   // 3 standard errors: false alarm 0.0027.
-  EXPECT_LT(std::abs(far - with.far.value), 3.0 * std::hypot(se, with.far.se)) << far << " +- " << se << " for " << with.far.value;
+  EXPECT_LT(std::abs(far - with.far.value), 3.0 * std::hypot(se, with.far.se))
+      << far << " +- " << se << " for " << with.far.value;
   // Total reflection as a perfect mirror: wrong by about 0.4 % of the flux, and seen here.
   const double error = std::abs(without.far.value / with.far.value - 1.0);
   EXPECT_GT(error, 0.002);
   EXPECT_LT(error, 0.008);
   EXPECT_GT(std::abs(far - without.far.value), 5.0 * std::hypot(se, without.far.se));
-  testing::Test::RecordProperty("far_end", std::to_string(far));
-  std::printf("far end: traced %.6f +- %.6f, rays with phases %.6f +- %.6f, without %.6f +- %.6f\n", far, se, with.far.value, with.far.se,
-              without.far.value, without.far.se);
+  std::printf("far end: traced %.6f +- %.6f, rays with phases %.6f +- %.6f, without %.6f +- %.6f\n", far, se,
+              with.far.value, with.far.se, without.far.value, without.far.se);
 }
 
 TEST(BareSlab, NothingLeavesItsSidesAndTheEndsAreRight) {
@@ -151,9 +157,12 @@ TEST(BareSlabLong, NothingLeavesItsSidesAndTheEndsAreRight) {
 
 /// No side face leaks over a wide range of sizes and indices above sqrt 2, down to the last photon.
 TEST(BareSlab, SideFacesAreDark) {
-  for (const char* plate : {"length_mm: 140, width_mm: 66, thickness_mm: 0.6, refractive_index: 1.4938", "length_mm: 20, width_mm: 0.3, thickness_mm: 0.3, refractive_index: 1.4143",
+  for (const char* plate : {"length_mm: 140, width_mm: 66, thickness_mm: 0.6, refractive_index: 1.4938",
+                            "length_mm: 20, width_mm: 0.3, thickness_mm: 0.3, refractive_index: 1.4143",
                             "length_mm: 1, width_mm: 50, thickness_mm: 20, refractive_index: 2.2"}) {
-    const Traced traced(std::string("light_guide_plate: {") + plate + "}, sources: [{kind: lambertian_face, face: left, gap_mm: 0}]", {20'000, 2, 10, 1});
+    const Traced traced(
+        std::string("light_guide_plate: {") + plate + "}, sources: [{kind: lambertian_face, face: left, gap_mm: 0}]",
+        {20'000, 2, 10, 1});
     EXPECT_EQ(traced.escaped(Side::kLeft) + traced.escaped(Side::kRight), traced.photons()) << plate;
   }
 }

@@ -1,8 +1,8 @@
 #include "tests/support/scenes.h"
 
-#include <fmt/format.h>
-
 #include <vector>
+
+#include <fmt/format.h>
 
 #include "core/base/error.h"
 #include "core/config/config_node.h"
@@ -56,7 +56,8 @@ double Traced::absorbed(const std::string& part) const {
   double sum = 0.0;
   const auto& parts = scene_.energy.parts();
   for (std::size_t i = 0; i < parts.size(); ++i) {
-    if (parts[i].rfind(part, 0) == 0) sum += result_.energy.total(scene_.energy.absorbed_bin(static_cast<int>(i))).value;
+    if (parts[i].rfind(part, 0) == 0)
+      sum += result_.energy.total(scene_.energy.absorbed_bin(static_cast<int>(i))).value;
   }
   return sum;
 }

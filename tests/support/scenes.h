@@ -12,7 +12,8 @@
 namespace evenglow::tests {
 
 /// Reads the map `backlight` of a run file, given in YAML's flow style without its braces:
-/// `size: {length_mm: 20, width_mm: 10}, sources: [...]`. Throws `core::ConfigError` for every fault, unread keys included.
+/// `size: {length_mm: 20, width_mm: 10}, sources: [...]`. Throws `core::ConfigError` for every fault, unread keys
+/// included.
 tracer::BacklightSpec backlight_of(const std::string& flow_yaml);
 tracer::Scene scene_of(const std::string& flow_yaml);
 

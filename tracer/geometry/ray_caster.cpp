@@ -1,12 +1,12 @@
 #include "tracer/geometry/ray_caster.h"
 
-#include <embree3/rtcore.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <string>
 #include <utility>
+
+#include <embree3/rtcore.h>
 
 #include "core/base/error.h"
 
@@ -55,7 +55,8 @@ RayCaster::RayCaster(std::vector<Quad> quads) : quads_(std::move(quads)), tree_(
     const core::Vec3 n = quad.u.cross(quad.v);
     core::expects(n.norm() > 0.0, "a quad has an area");
     const core::Vec3 normal = n.normalized();
-    planes_.push_back({normal, normal.dot(quad.corner), quad.v.cross(n) / n.squaredNorm(), n.cross(quad.u) / n.squaredNorm()});
+    planes_.push_back(
+        {normal, normal.dot(quad.corner), quad.v.cross(n) / n.squaredNorm(), n.cross(quad.u) / n.squaredNorm()});
   }
   tree_->device.reset(rtcNewDevice(nullptr));
   core::expects(tree_->device != nullptr, "Embree opens a device");

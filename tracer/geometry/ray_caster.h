@@ -17,8 +17,8 @@ struct RayHit {
   core::Vec3 position;    ///< on the quad to double rounding, never outside its rectangle
 };
 
-/// Nearest hit of a ray. The search runs in Embree's single-precision tree (ROBUST, quads, which do not leak along shared
-/// edges); distance and position are then computed anew in double on the quad that was found.
+/// Nearest hit of a ray. The search runs in Embree's single-precision tree (ROBUST, quads, which do not leak along
+/// shared edges); distance and position are then computed anew in double on the quad that was found.
 class RayCaster {
  public:
   explicit RayCaster(std::vector<Quad> quads);
@@ -34,9 +34,9 @@ class RayCaster {
   /// double precision, without the tree: about a quarter of its time for a box, and nothing can leak.
   RayHit exit_of(std::span<const int> faces, const core::Vec3& origin, const core::Vec3& direction, int skip) const;
 
-  /// The nearest of the quads that `allowed` admits, by a search through all in double precision: slow, for the few rays
-  /// that single precision decides wrongly at an edge. Hits down to 1e-7 mm behind the origin, and beyond a border by
-  /// 1e-7 of the quad's size, count.
+  /// The nearest of the quads that `allowed` admits, by a search through all in double precision: slow, for the few
+  /// rays that single precision decides wrongly at an edge. Hits down to 1e-7 mm behind the origin, and beyond a border
+  /// by 1e-7 of the quad's size, count.
   RayHit nearest_exact(const core::Vec3& origin, const core::Vec3& direction,
                        const std::function<bool(int quad)>& allowed) const;
 
@@ -46,7 +46,7 @@ class RayCaster {
   struct Tree;
   struct Plane {
     core::Vec3 normal;
-    double offset;            ///< normal . p
+    double offset;              ///< normal . p
     core::Vec3 dual_u, dual_v;  ///< a = dual_u . (p - corner), b = dual_v . (p - corner)
   };
   double distance_to(int quad, const core::Vec3& origin, const core::Vec3& direction) const;

@@ -48,7 +48,7 @@ std::string table_text(const Reconstruction& r) {
     add_node(text, node.node);
     add(text, v.tau_min);
     add(text, v.tau_max);
-    add(text, v.delta / core::kRadPerDeg);
+    add(text, std::round(v.delta / core::kRadPerDeg * 1e10) * 1e-10);  // no rounding noise about 0
     if (r.has_errors) {
       add_se(text, v.tau_min_se);
       add_se(text, v.tau_max_se);

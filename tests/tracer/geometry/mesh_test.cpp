@@ -53,11 +53,11 @@ TEST(Box, ExitSideFromInside) {
 }
 
 TEST(Box, ExitSideFromOutside) {
-  EXPECT_EQ(kBox.exit_side({2.0, 3.0, 0.0}, {0.0, 0.0, 1.0}), Side::kTop);       // through the box
-  EXPECT_EQ(kBox.exit_side({2.0, 3.0, 0.0}, {0.0, 0.0, -1.0}), Side::kBottom);   // away from it
+  EXPECT_EQ(kBox.exit_side({2.0, 3.0, 0.0}, {0.0, 0.0, 1.0}), Side::kTop);      // through the box
+  EXPECT_EQ(kBox.exit_side({2.0, 3.0, 0.0}, {0.0, 0.0, -1.0}), Side::kBottom);  // away from it
   EXPECT_EQ(kBox.exit_side({2.0, 3.0, 9.0}, core::Vec3(1, 0, 0.1).normalized()), Side::kTop);
-  EXPECT_EQ(kBox.exit_side({0.0, 3.0, 4.0}, {0.0, 1.0, 0.0}), Side::kLeft);      // past it
-  EXPECT_EQ(kBox.exit_side({2.0, 3.0, 8.0}, {0.0, 0.0, 1.0}), Side::kTop);       // from its border
+  EXPECT_EQ(kBox.exit_side({0.0, 3.0, 4.0}, {0.0, 1.0, 0.0}), Side::kLeft);  // past it
+  EXPECT_EQ(kBox.exit_side({2.0, 3.0, 8.0}, {0.0, 0.0, 1.0}), Side::kTop);   // from its border
 }
 
 }  // namespace

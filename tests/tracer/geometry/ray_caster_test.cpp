@@ -63,7 +63,8 @@ TEST(RayCaster, ClosedBoxDoesNotLeak) {
     for (int i = 0; i < 300; ++i) {
       RayHit hit = caster.nearest(p, k, quad);
       if (hit.quad < 0 || outward(static_cast<Side>(hit.quad)).dot(k) <= 0.0) {
-        hit = caster.nearest_exact(p, k, [&](int q) { return q != quad && outward(static_cast<Side>(q)).dot(k) > 0.0; });
+        hit =
+            caster.nearest_exact(p, k, [&](int q) { return q != quad && outward(static_cast<Side>(q)).dot(k) > 0.0; });
       }
       ASSERT_GE(hit.quad, 0);
       ASSERT_TRUE(kPlate.contains(hit.position));

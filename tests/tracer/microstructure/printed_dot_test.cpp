@@ -15,8 +15,10 @@ using tracer::Side;
 
 std::string plate_with(const std::string& dots, const std::string& face, const std::string& lit) {
   // An index next to 1 (R = 2.5e-9 a face) leaves nothing but the dots; the photon meets their face once.
-  return "light_guide_plate: {length_mm: 20, width_mm: 10, thickness_mm: 1, refractive_index: 1.0001}, microstructure: {face: " +
-         face + ", cells: [4, 2], " + dots + "}, sources: [{kind: beam, face: " + lit + ", size_share: 1, gap_mm: 0.5}]";
+  return "light_guide_plate: {length_mm: 20, width_mm: 10, thickness_mm: 1, refractive_index: 1.0001}, microstructure: "
+         "{face: " +
+         face + ", cells: [4, 2], " + dots + "}, sources: [{kind: beam, face: " + lit +
+         ", size_share: 1, gap_mm: 0.5}]";
 }
 
 /// Chance of a hit = density, from inside and from outside, on either face. False alarm 1e-3.
@@ -24,7 +26,8 @@ TEST(PrintedDot, IsMetWithTheOddsOfTheDensity) {
   for (const char* face : {"bottom", "top"}) {
     for (const char* lit : {"bottom", "top"}) {
       const Traced traced(plate_with("density: 0.3, reflectance: 0", face, lit), {40'000, 1, 10, 1});
-      EXPECT_LT(std::abs(binomial_z(traced.absorbed("microstructure"), traced.photons(), 0.3)), z_limit(1e-3, 4)) << face << lit;
+      EXPECT_LT(std::abs(binomial_z(traced.absorbed("microstructure"), traced.photons(), 0.3)), z_limit(1e-3, 4))
+          << face << lit;
       EXPECT_EQ(traced.accounted(), traced.photons());
     }
   }

@@ -53,7 +53,8 @@ TEST(DielectricFace, TotalReflectionTurnsThePhaseByTheFormula) {
   const double n = 1.0 / 1.4938;
   for (const double degrees : {43.0, 50.0, 60.0, 75.0, 89.0}) {
     const double i = degrees * kRad;
-    const double half = std::atan(std::cos(i) * std::sqrt(std::sin(i) * std::sin(i) - n * n) / (std::sin(i) * std::sin(i)));
+    const double half =
+        std::atan(std::cos(i) * std::sqrt(std::sin(i) * std::sin(i) - n * n) / (std::sin(i) * std::sin(i)));
     const Vec3 k = travel(degrees, 20.0, true);
     const auto out = DielectricFace(1.4938, 1.0).sample(StokesVector::linear(1.0, 45.0 * kRad, face_frame(k)), rng);
     ASSERT_TRUE(out);
@@ -97,7 +98,9 @@ TEST(DielectricFace, ReflectionHasTheSignOfBothAmplitudes) {
       break;
     }
   }
-  EXPECT_LT(core::fresnel(std::cos(10.0 * kRad), 1.0, 1.5).r_p.real() * core::fresnel(std::cos(10.0 * kRad), 1.0, 1.5).r_s.real(), 0.0);
+  EXPECT_LT(core::fresnel(std::cos(10.0 * kRad), 1.0, 1.5).r_p.real() *
+                core::fresnel(std::cos(10.0 * kRad), 1.0, 1.5).r_s.real(),
+            0.0);
 }
 
 /// Odds of reflection and the states that leave: `sample` against `specular`, for all kinds of light, both sides,
@@ -128,7 +131,8 @@ TEST(DielectricFace, SampleFollowsItsMatrices) {
           ASSERT_NEAR((got - expected / expected[0]).norm(), 0.0, 1e-9) << degrees << " " << up << " " << back;
           ASSERT_NEAR(out->light.frame.k.norm(), 1.0, 1e-14);
         }
-        EXPECT_LT(std::abs(tests::binomial_z(count, kSamples, std::min(1.0, reflected[0]))), limit) << degrees << " " << up;
+        EXPECT_LT(std::abs(tests::binomial_z(count, kSamples, std::min(1.0, reflected[0]))), limit)
+            << degrees << " " << up;
       }
     }
   }

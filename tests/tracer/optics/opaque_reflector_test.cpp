@@ -6,8 +6,8 @@
 #include <gtest/gtest.h>
 
 #include "core/base/units.h"
-#include "tests/support/film_bins.h"
 #include "tests/support/chi_square.h"
+#include "tests/support/film_bins.h"
 #include "tests/support/z_test.h"
 
 /// Seeds fixed; false alarm 1e-3 for each test.
@@ -27,7 +27,9 @@ TEST(OpaqueReflector, MirrorKeepsTheTangentialState) {
       ASSERT_TRUE(out && out->specular);
       EXPECT_NEAR((out->light.frame.k - Vec3(k.x(), k.y(), -k.z())).norm(), 0.0, 1e-15);
       EXPECT_NEAR(out->light.frame.e1.dot(out->light.frame.k), 0.0, 1e-15);
-      EXPECT_NEAR((to_film(out->light, tangential_frame(out->light.frame.k)) - to_film(light, tangential_frame(k))).norm(), 0.0, 1e-14);
+      EXPECT_NEAR(
+          (to_film(out->light, tangential_frame(out->light.frame.k)) - to_film(light, tangential_frame(k))).norm(), 0.0,
+          1e-14);
     }
   }
 }

@@ -19,7 +19,8 @@ TEST(AngularReceiver, Bins) {
   EXPECT_EQ(receiver.bins(), 108U);
   const auto bin = [&](double polar_deg, double azimuth_deg, Side side = Side::kTop) {
     const double t = polar_deg * core::kRadPerDeg, a = azimuth_deg * core::kRadPerDeg;
-    const auto score = receiver.score({side, {}, {std::sin(t) * std::cos(a), std::sin(t) * std::sin(a), std::cos(t)}, true});
+    const auto score =
+        receiver.score({side, {}, {std::sin(t) * std::cos(a), std::sin(t) * std::sin(a), std::cos(t)}, true});
     return score ? static_cast<int>(score->bin) : -1;
   };
   EXPECT_EQ(bin(5.0, 5.0), 0);
@@ -41,8 +42,10 @@ TEST(AngularReceiver, ProjectedSolidAnglesSumToPi) {
 TEST(AngularReceiver, LambertianSourceIsEvenlyBright) {
   const tests::Traced traced(
       "size: {length_mm: 20, width_mm: 10}, sources: [{kind: lambertian_face, face: bottom, flux_lm: 200}], "
-      "receivers: [{kind: angular, polar_count: 9, azimuth_count: 8}]", {400'000, 1, 100, 1});
-  const auto luminance = make_angular_luminance(*traced.scene().angular, traced.result().angular, 200.0, traced.result().photons, 200.0);
+      "receivers: [{kind: angular, polar_count: 9, azimuth_count: 8}]",
+      {400'000, 1, 100, 1});
+  const auto luminance =
+      make_angular_luminance(*traced.scene().angular, traced.result().angular, 200.0, traced.result().photons, 200.0);
   for (const core::Estimate& L : luminance) {
     EXPECT_LT(std::abs(tests::z_score(L, 1e6 / core::kPi)), tests::z_limit(1e-3, 72) * 1.1);  // Student's t of 99
     EXPECT_LT(L.se / L.value, 0.05);

@@ -50,7 +50,8 @@ TEST(BacklightSpec, PlateOfAPlainConstantIsLossless) {
   EXPECT_EQ(spec.plate->material.refractive_index, 1.4938);
   EXPECT_EQ(spec.plate->material.absorption, 0.0);
   expect_fault("light_guide_plate: {refractive_index: 1.5, material: pmma}, " + kLeds, "material");
-  EXPECT_NEAR(backlight_of("light_guide_plate: {absorption_per_m: 5}, " + kLeds).plate->material.absorption, 0.005, 1e-15);
+  EXPECT_NEAR(backlight_of("light_guide_plate: {absorption_per_m: 5}, " + kLeds).plate->material.absorption, 0.005,
+              1e-15);
 }
 
 TEST(BacklightSpec, WithoutPlate) {
@@ -62,13 +63,15 @@ TEST(BacklightSpec, WithoutPlate) {
 }
 
 TEST(BacklightSpec, ReceiversFollowTheActiveArea) {
-  const BacklightSpec spec = backlight_of(kPlate + "microstructure: {cells: [8, 4]}, films: [{kind: diffuser}], " + kLeds +
-                                          ", receivers: [{kind: luminance, cone_deg: 20, margins: {left_mm: 2, back_mm: 1}}]");
+  const BacklightSpec spec =
+      backlight_of(kPlate + "microstructure: {cells: [8, 4]}, films: [{kind: diffuser}], " + kLeds +
+                   ", receivers: [{kind: luminance, cone_deg: 20, margins: {left_mm: 2, back_mm: 1}}]");
   EXPECT_EQ(spec.luminance.cells, core::CellGrid::over(8, 4, 2, 0, 20, 9));
   EXPECT_NEAR(spec.luminance.cone, 20.0 * core::kRadPerDeg, 1e-15);
   EXPECT_EQ(spec.luminance.estimator, LuminanceEstimator::kNextEvent);
   EXPECT_FALSE(spec.angular);
-  const BacklightSpec counting = backlight_of(kPlate + "films: [{kind: diffuser}], " + kLeds + ", receivers: [{kind: luminance, estimator: counting}]");
+  const BacklightSpec counting = backlight_of(kPlate + "films: [{kind: diffuser}], " + kLeds +
+                                              ", receivers: [{kind: luminance, estimator: counting}]");
   EXPECT_EQ(counting.luminance.estimator, LuminanceEstimator::kCounting);
 }
 
@@ -91,8 +94,10 @@ TEST(BacklightSpec, NamesItsFaults) {
 
 /// Reading goes on after a fault, so that one pass finds all.
 TEST(BacklightSpec, FindsAllFaultsAtOnce) {
-  const std::string all = faults("light_guide_plate: {length_mm: -1, width_mm: x}, sources: [{kind: led_row, count: 0, gap_mm: 0}]");
-  for (const char* key : {"length_mm", "width_mm", "count", "gap_mm"}) EXPECT_NE(all.find(key), std::string::npos) << all;
+  const std::string all =
+      faults("light_guide_plate: {length_mm: -1, width_mm: x}, sources: [{kind: led_row, count: 0, gap_mm: 0}]");
+  for (const char* key : {"length_mm", "width_mm", "count", "gap_mm"})
+    EXPECT_NE(all.find(key), std::string::npos) << all;
 }
 
 }  // namespace

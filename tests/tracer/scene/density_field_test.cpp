@@ -37,7 +37,8 @@ TEST(DensityField, RulesTheOddsCellByCell) {
   const Scene scene = scene_of(
       "light_guide_plate: {length_mm: 20, width_mm: 10, thickness_mm: 1, refractive_index: 1.0001}, "
       "microstructure: {face: bottom, cells: [2, 1], density: 0.5, reflectance: 0}, "
-      "sources: [{kind: beam, face: top, size_share: 0.999, gap_mm: 0.5}], receivers: [{kind: luminance, cells: [2, 1], cone_deg: 90}]");
+      "sources: [{kind: beam, face: top, size_share: 0.999, gap_mm: 0.5}], receivers: [{kind: luminance, cells: [2, "
+      "1], cone_deg: 90}]");
   DensityField density = initial_density(scene.spec);
   for (const auto& [left, right] : {std::pair{0.1, 0.6}, {0.0, 1.0}}) {
     density.cells.values = {left, right};

@@ -45,9 +45,11 @@ TEST(SceneCompiler, PlateIsAClosedBodyWithNormalsOut) {
 }
 
 TEST(SceneCompiler, StackHasItsHeights) {
-  const Scene scene = scene_of(kPlate + kLeds +
-                               ", reflectors: {bottom: {gap_mm: 0.2}, right: {gap_mm: 0.3}}, films: [{kind: diffuser, gap_mm: 0.1}, "
-                               "{kind: sheet, gap_mm: 0.05, thickness_mm: 0.4, refractive_index: 1.6, absorption_per_m: 2}, {kind: lpp, gap_mm: 0.01}]");
+  const Scene scene =
+      scene_of(kPlate + kLeds +
+               ", reflectors: {bottom: {gap_mm: 0.2}, right: {gap_mm: 0.3}}, films: [{kind: diffuser, gap_mm: 0.1}, "
+               "{kind: sheet, gap_mm: 0.05, thickness_mm: 0.4, refractive_index: 1.6, absorption_per_m: 2}, {kind: "
+               "lpp, gap_mm: 0.01}]");
   EXPECT_NEAR((scene.box.min - core::Vec3(0.0, 0.0, -0.2)).norm(), 0.0, 1e-12);
   EXPECT_NEAR((scene.box.max - core::Vec3(20.3, 10.0, 1.06)).norm(), 0.0, 1e-12);
   ASSERT_EQ(scene.bodies.size(), 2U);
@@ -67,7 +69,9 @@ TEST(SceneCompiler, StackHasItsHeights) {
 }
 
 TEST(SceneCompiler, CountingViewsNoScatterer) {
-  const Scene scene = scene_of(kPlate + kLeds + ", films: [{kind: diffuser}, {kind: diffuser}], receivers: [{kind: luminance, estimator: counting}]");
+  const Scene scene =
+      scene_of(kPlate + kLeds +
+               ", films: [{kind: diffuser}, {kind: diffuser}], receivers: [{kind: luminance, estimator: counting}]");
   for (const Surface& surface : scene.surfaces) EXPECT_FALSE(surface.is_viewed_scatterer);
 }
 
@@ -102,15 +106,17 @@ TEST(SceneCompiler, LedsInAndBeforeTheReflector) {
 /// With windows in all four vertical reflectors, each photon starts in a window, whatever the axes of its quad.
 TEST(SceneCompiler, WindowsMatchWherePhotonsStart) {
   for (const char* edge : {"left", "right", "front", "back"}) {
-    const Scene scene = scene_of(kPlate + "reflectors: {" + edge + ": {gap_mm: 0.1}}, sources: [{kind: led_row, edge: " + edge +
-                                 ", count: 2, pitch_mm: 4, size_mm: [1, 0.2], gap_mm: 0.1}]");
+    const Scene scene =
+        scene_of(kPlate + "reflectors: {" + edge + ": {gap_mm: 0.1}}, sources: [{kind: led_row, edge: " + edge +
+                 ", count: 2, pitch_mm: 4, size_mm: [1, 0.2], gap_mm: 0.1}]");
     const Surface& surface = scene.surfaces[6];
     core::PhotonRng rng({1, 0, 0}, 0);
     for (int i = 0; i < 200; ++i) {
       const core::Vec3 p = scene.spec.sources[0]->emit(rng).position;
       bool inside = false;
       for (const SurfaceWindow& w : surface.windows) {
-        inside = inside || (surface.x.dot(p) >= w.min_x && surface.x.dot(p) <= w.max_x && surface.y.dot(p) >= w.min_y && surface.y.dot(p) <= w.max_y);
+        inside = inside || (surface.x.dot(p) >= w.min_x && surface.x.dot(p) <= w.max_x && surface.y.dot(p) >= w.min_y &&
+                            surface.y.dot(p) <= w.max_y);
       }
       EXPECT_TRUE(inside) << edge;
     }

@@ -25,11 +25,14 @@ TEST(Beam, DirectionFollowsAngleAndPlane) {
   const double c = std::cos(30.0 * core::kRadPerDeg), s = std::sin(30.0 * core::kRadPerDeg);
   EXPECT_NEAR((one_photon("face: bottom").light.frame.k - core::Vec3(0, 0, 1)).norm(), 0.0, 1e-15);
   EXPECT_NEAR((one_photon("face: bottom, angle_deg: 30").light.frame.k - core::Vec3(s, 0, c)).norm(), 0.0, 1e-15);
-  EXPECT_NEAR((one_photon("face: bottom, angle_deg: 30, plane_deg: 90").light.frame.k - core::Vec3(0, s, c)).norm(), 0.0, 1e-15);
+  EXPECT_NEAR((one_photon("face: bottom, angle_deg: 30, plane_deg: 90").light.frame.k - core::Vec3(0, s, c)).norm(),
+              0.0, 1e-15);
   EXPECT_NEAR((one_photon("face: top, angle_deg: 30").light.frame.k - core::Vec3(s, 0, -c)).norm(), 0.0, 1e-15);
   const std::string plate = "light_guide_plate: {length_mm: 20, width_mm: 10, thickness_mm: 2}";
   EXPECT_NEAR((one_photon("face: left, angle_deg: 30", plate).light.frame.k - core::Vec3(c, s, 0)).norm(), 0.0, 1e-15);
-  EXPECT_NEAR((one_photon("face: right, angle_deg: 30, plane_deg: 90", plate).light.frame.k - core::Vec3(-c, 0, s)).norm(), 0.0, 1e-15);
+  EXPECT_NEAR(
+      (one_photon("face: right, angle_deg: 30, plane_deg: 90", plate).light.frame.k - core::Vec3(-c, 0, s)).norm(), 0.0,
+      1e-15);
 }
 
 /// 0 is p, 90 is s, and every frame is right-handed; from every face, obliquely.
@@ -64,7 +67,8 @@ TEST(Beam, AzimuthTurnsTheSameWayAsFilmAxes) {
 }
 
 TEST(Beam, LitSpot) {
-  const BacklightSpec spec = backlight_of("size: {length_mm: 20, width_mm: 10}, sources: [{kind: beam, size_share: 0.5, gap_mm: 2, flux_lm: 3}]");
+  const BacklightSpec spec = backlight_of(
+      "size: {length_mm: 20, width_mm: 10}, sources: [{kind: beam, size_share: 0.5, gap_mm: 2, flux_lm: 3}]");
   core::PhotonRng rng({1, 0, 0}, 0);
   double x0 = 99, x1 = 0, y0 = 99, y1 = 0;
   for (int i = 0; i < 5000; ++i) {

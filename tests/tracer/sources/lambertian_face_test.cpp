@@ -39,7 +39,9 @@ TEST(LambertianFace, CoversEachFaceEvenlyAndLambertian) {
       ASSERT_EQ(photon.light.I, 1.0);
       const double cosine = -outward(side).dot(photon.light.frame.k);
       ASSERT_GT(cosine, 0.0);
-      const auto cell = [&](int i2) { return std::min(5, static_cast<int>(6.0 * photon.position[i2] / spec.area.max[i2])); };
+      const auto cell = [&](int i2) {
+        return std::min(5, static_cast<int>(6.0 * photon.position[i2] / spec.area.max[i2]));
+      };
       places[static_cast<std::size_t>(6 * cell(a) + cell(b))] += 1.0;
       angles[static_cast<std::size_t>(std::min(19.0, 20.0 * (1.0 - cosine * cosine)))] += 1.0;
     }

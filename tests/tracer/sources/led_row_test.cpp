@@ -18,7 +18,8 @@ namespace {
 using namespace tracer;
 
 std::string row(const std::string& keys) {
-  return "light_guide_plate: {length_mm: 20, width_mm: 10, thickness_mm: 0.6}, sources: [{kind: led_row, " + keys + "}]";
+  return "light_guide_plate: {length_mm: 20, width_mm: 10, thickness_mm: 0.6}, sources: [{kind: led_row, " + keys +
+         "}]";
 }
 
 std::string fault_of(const std::string& keys) {
@@ -47,7 +48,8 @@ TEST(LedRow, WindowsAreCenteredAndEvenlySpaced) {
 
 TEST(LedRow, PhotonsStartInTheWindowsAllAlike) {
   for (const char* edge : {"left", "right", "front", "back"}) {
-    const BacklightSpec spec = backlight_of(row(std::string("edge: ") + edge + ", count: 3, pitch_mm: 3, size_mm: [2, 0.4], gap_mm: 0.1"));
+    const BacklightSpec spec =
+        backlight_of(row(std::string("edge: ") + edge + ", count: 3, pitch_mm: 3, size_mm: [2, 0.4], gap_mm: 0.1"));
     const Source& source = *spec.sources.front();
     const Side side = source.side();
     const int along = axis_of(side) == 0 ? 1 : 0;
@@ -63,7 +65,8 @@ TEST(LedRow, PhotonsStartInTheWindowsAllAlike) {
       const double v = (photon.position.z() - w.min_z) / (w.max_z - w.min_z);
       ASSERT_TRUE(u >= 0.0 && u <= 1.0 && v >= 0.0 && v <= 1.0);
       ASSERT_LT(photon.light.frame.k.dot(outward(side)), 0.0);
-      const int bin = photon.quad * 16 + std::min(3, static_cast<int>(4 * u)) * 4 + std::min(3, static_cast<int>(4 * v));
+      const int bin =
+          photon.quad * 16 + std::min(3, static_cast<int>(4 * u)) * 4 + std::min(3, static_cast<int>(4 * v));
       counts[static_cast<std::size_t>(bin)] += 1.0;
     }
     EXPECT_GT(chi_square_test(counts, std::vector<double>(48, kPhotons / 48.0)).p_value, sidak(1e-3, 4)) << edge;
@@ -73,7 +76,8 @@ TEST(LedRow, PhotonsStartInTheWindowsAllAlike) {
 /// Flux of the intensity cos^n: mean cosine (n + 1) / (n + 2), variance (n + 1) / (n + 3) - mean^2.
 TEST(LedRow, CosinePower) {
   for (const double n : {1.0, 4.0}) {
-    const BacklightSpec spec = backlight_of(row("edge: left, count: 1, pattern: cosine_power, exponent: " + text_of(n)));
+    const BacklightSpec spec =
+        backlight_of(row("edge: left, count: 1, pattern: cosine_power, exponent: " + text_of(n)));
     core::PhotonRng rng({20260101, 0, 0}, 0);
     constexpr int kPhotons = 100000;
     double sum = 0.0;
@@ -95,9 +99,11 @@ TEST(LedRow, NamesWhatDoesNotFit) {
 
 /// Light that comes back to a window is met by it, not by the frame around it.
 TEST(LedRow, WindowsStandInTheWayOfReturningLight) {
-  const std::string mirrors = ", reflectors: {right: {kind: mirror, reflectance: 1}, left: {kind: mirror, reflectance: 1, gap_mm: ";
+  const std::string mirrors =
+      ", reflectors: {right: {kind: mirror, reflectance: 1}, left: {kind: mirror, reflectance: 1, gap_mm: ";
   for (const char* gap : {"0.05}}", "0.2}}"}) {
-    const Traced traced(row("edge: left, count: 1, size_mm: [10, 0.6], gap_mm: 0.05, reflectance: 0") + mirrors + gap, {10000, 3, 100, 1});
+    const Traced traced(row("edge: left, count: 1, size_mm: [10, 0.6], gap_mm: 0.05, reflectance: 0") + mirrors + gap,
+                        {10000, 3, 100, 1});
     // The rest slips out between plate and mirrors.
     EXPECT_GT(traced.absorbed("sources[0]:led_row"), 0.6 * traced.photons()) << gap;
     EXPECT_EQ(traced.absorbed("sources"), traced.absorbed("sources[0]:led_row"));

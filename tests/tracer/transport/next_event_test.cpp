@@ -25,9 +25,11 @@ std::string scene_text(const std::string& films_above, const std::string& receiv
 
 /// Two films against the sum over all reflections between them, written out order by order.
 TEST(NextEvent, TransmissionHoldsAllOrders) {
-  const Scene scene = scene_of(scene_text(
-      ", {kind: dbef, axis_deg: 20, transmittance_pass: 0.8, reflectance_pass: 0.15, transmittance_block: 0.1, reflectance_block: 0.85}"
-      ", {kind: dbef, axis_deg: 65, transmittance_pass: 0.7, reflectance_pass: 0.2, transmittance_block: 0.05, reflectance_block: 0.9}"));
+  const Scene scene =
+      scene_of(scene_text(", {kind: dbef, axis_deg: 20, transmittance_pass: 0.8, reflectance_pass: 0.15, "
+                          "transmittance_block: 0.1, reflectance_block: 0.85}"
+                          ", {kind: dbef, axis_deg: 65, transmittance_pass: 0.7, reflectance_pass: 0.2, "
+                          "transmittance_block: 0.05, reflectance_block: 0.9}"));
   const NextEvent next_event(scene);
   for (const core::Vec3& k : {travel(0, 0, true), travel(30, 70, true), travel(65, 200, true)}) {
     const Bsdf& a = *scene.viewed_films[0].surface;
@@ -75,14 +77,16 @@ TEST(NextEvent, OutsideTheActiveAreaNothingIsScored) {
   const Scene scene = scene_of(scene_text("", "cells: [2, 1], margins: {left_mm: 5}"));
   core::PhotonRng rng({1, 0, 0}, 0);
   const auto light = core::StokesVector::unpolarized(1.0, core::PolarizationFrame::any(travel(50, 0, true)));
-  const auto at = [&](double x) { return NextEvent(scene).score(*scene.spec.films[0].surface, light, {x, 5, 0.05}, rng); };
+  const auto at = [&](double x) {
+    return NextEvent(scene).score(*scene.spec.films[0].surface, light, {x, 5, 0.05}, rng);
+  };
   EXPECT_FALSE(at(4.9));
   EXPECT_EQ(at(6.0)->bin, 0U);
   EXPECT_EQ(at(19.0)->bin, 1U);
 }
 
-/// A thick sheet shifts what is seen through it: at the angle t, x + d tan t' (tan t' the refracted angle). The mean bin over
-/// a wide cone is known from the optics alone.
+/// A thick sheet shifts what is seen through it: at the angle t, x + d tan t' (tan t' the refracted angle). The mean
+/// bin over a wide cone is known from the optics alone.
 TEST(NextEvent, SheetsShiftThePlaceThatIsSeen) {
   const Scene scene = scene_of(scene_text(", {kind: sheet, refractive_index: 1.5, thickness_mm: 3, gap_mm: 1}",
                                           "cells: [200, 100], cone_deg: 60"));
@@ -108,7 +112,8 @@ TEST(NextEvent, SheetsShiftThePlaceThatIsSeen) {
   }
   const double mean = got / kSamples;
   const double se = std::sqrt((got_squares / kSamples - mean * mean) / kSamples);
-  EXPECT_LT(std::abs(z_score({mean, se}, expected + 2.0 * 0.01 / 12.0)), two_sided_z(1e-3));  // and the cells' own width
+  EXPECT_LT(std::abs(z_score({mean, se}, expected + 2.0 * 0.01 / 12.0)),
+            two_sided_z(1e-3));  // and the cells' own width
 }
 
 }  // namespace

@@ -21,7 +21,8 @@ double account(const BatchSums& sums) {
 
 TEST(PhotonHistory, EveryPhotonEndsOnce) {
   const Scene scene = scene_of(
-      "light_guide_plate: {length_mm: 20, width_mm: 10}, microstructure: {cells: [4, 2], density: 0.2}, sources: [{kind: led_row, count: 2}], "
+      "light_guide_plate: {length_mm: 20, width_mm: 10}, microstructure: {cells: [4, 2], density: 0.2}, sources: "
+      "[{kind: led_row, count: 2}], "
       "reflectors: {bottom: {}, right: {kind: mirror}}, films: [{kind: diffuser}, {kind: dbef}, {kind: sheet}]");
   const DensityField density = initial_density(scene.spec);
   const PhotonHistory history(scene, density);
@@ -35,7 +36,9 @@ TEST(PhotonHistory, EveryPhotonEndsOnce) {
 
 /// A photon's fate depends on its key and index alone.
 TEST(PhotonHistory, DependsOnKeyAndIndexAlone) {
-  const Scene scene = scene_of("light_guide_plate: {length_mm: 20, width_mm: 10}, sources: [{kind: led_row, count: 2}], films: [{kind: diffuser}]");
+  const Scene scene = scene_of(
+      "light_guide_plate: {length_mm: 20, width_mm: 10}, sources: [{kind: led_row, count: 2}], films: [{kind: "
+      "diffuser}]");
   const DensityField density = initial_density(scene.spec);
   const PhotonHistory history(scene, density);
   BatchSums forward(scene), backward(scene);
@@ -48,7 +51,8 @@ TEST(PhotonHistory, DependsOnKeyAndIndexAlone) {
 
 TEST(PhotonHistory, GivesUpAPhotonThatNeverEnds) {
   const Scene scene = scene_of(
-      "size: {length_mm: 20, width_mm: 10}, reflectors: {bottom: {kind: mirror, reflectance: 1}, top: {kind: mirror, reflectance: 1}}, "
+      "size: {length_mm: 20, width_mm: 10}, reflectors: {bottom: {kind: mirror, reflectance: 1}, top: {kind: mirror, "
+      "reflectance: 1}}, "
       "sources: [{kind: beam}]");
   const DensityField density = initial_density(scene.spec);
   BatchSums sums(scene);
@@ -61,16 +65,24 @@ TEST(PhotonHistory, GivesUpAPhotonThatNeverEnds) {
 /// Beer-Lambert: a beam through 10 mm of an index next to 1.
 TEST(PhotonHistory, BulkAbsorption) {
   for (const double per_m : {0.0, 20.0, 200.0}) {
-    const Traced traced("light_guide_plate: {length_mm: 20, width_mm: 20, thickness_mm: 10, refractive_index: 1.0001, absorption_per_m: " +
-                        text_of(per_m) + "}, sources: [{kind: beam, gap_mm: 1}]", {40'000, 1, 10, 1});
-    EXPECT_LT(std::abs(binomial_z(traced.absorbed("light_guide_plate"), traced.photons(), 1.0 - std::exp(-per_m * 0.01))), z_limit(1e-3, 3)) << per_m;
+    const Traced traced(
+        "light_guide_plate: {length_mm: 20, width_mm: 20, thickness_mm: 10, refractive_index: 1.0001, "
+        "absorption_per_m: " +
+            text_of(per_m) + "}, sources: [{kind: beam, gap_mm: 1}]",
+        {40'000, 1, 10, 1});
+    EXPECT_LT(
+        std::abs(binomial_z(traced.absorbed("light_guide_plate"), traced.photons(), 1.0 - std::exp(-per_m * 0.01))),
+        z_limit(1e-3, 3))
+        << per_m;
   }
 }
 
 /// Photons are shared among sources by their flux.
 TEST(PhotonHistory, SourcesShareByFlux) {
-  const Traced traced("size: {length_mm: 20, width_mm: 10}, sources: [{kind: beam, flux_lm: 3}, {kind: beam, face: top, flux_lm: 1}, {kind: beam, flux_lm: 6}]",
-                      {40'000, 1, 10, 1});
+  const Traced traced(
+      "size: {length_mm: 20, width_mm: 10}, sources: [{kind: beam, flux_lm: 3}, {kind: beam, face: top, flux_lm: 1}, "
+      "{kind: beam, flux_lm: 6}]",
+      {40'000, 1, 10, 1});
   EXPECT_EQ(traced.result().flux, 10.0);
   EXPECT_LT(std::abs(binomial_z(traced.escaped(Side::kBottom), traced.photons(), 0.1)), two_sided_z(1e-3));
   EXPECT_EQ(traced.accounted(), traced.photons());

@@ -47,8 +47,8 @@ TEST(Trace, TotalsDoNotDependOnTheBatches) {
   }
 }
 
-/// Different seeds: other numbers, same truth. Pairs of escaped shares and mean luminances of 10 seeds: chi-square of the
-/// spread over the standard errors. False alarm 1e-3.
+/// Different seeds: other numbers, same truth. Pairs of escaped shares and mean luminances of 10 seeds: chi-square of
+/// the spread over the standard errors. False alarm 1e-3.
 TEST(Trace, SeedsAgreeWithinTheirErrors) {
   constexpr int kSeeds = 10;
   std::vector<core::Estimate> luminance;
@@ -113,7 +113,8 @@ TEST(Trace, TellsProgressAndStops) {
 
 TEST(Trace, TooManyLostPhotonsAreAnError) {
   const std::string endless =
-      "size: {length_mm: 20, width_mm: 10}, reflectors: {bottom: {kind: mirror, reflectance: 1}, top: {kind: mirror, reflectance: 1}}, "
+      "size: {length_mm: 20, width_mm: 10}, reflectors: {bottom: {kind: mirror, reflectance: 1}, top: {kind: mirror, "
+      "reflectance: 1}}, "
       "sources: [{kind: beam}]";
   try {
     const Traced traced(endless, {11, 1, 11, 1});
