@@ -79,8 +79,8 @@ CurvePlot bsdf_plot(const GoniometerSpec& spec, ScatterKind kind) {
 
 void write_bsdf(const GoniometerSpec& spec, const std::filesystem::path& path) {
   Sheet sheet(2, "BSDF behind a polarizer at four angles",
-                               fmt::format("film at psi = {:g}°, incidence {:g}°; angle of the polarizer from the plane of incidence",
-                                           degrees(spec.psi.front()), degrees(spec.sigma)));
+              fmt::format("film at psi = {:g}°, incidence {:g}°; angle of the polarizer from the plane of incidence",
+                          degrees(spec.psi.front()), degrees(spec.sigma)));
   draw_curves(sheet.drawing, bsdf_plot(spec, ScatterKind::reflection), panel(0), kText, true);
   draw_curves(sheet.drawing, bsdf_plot(spec, ScatterKind::transmission), panel(1), kText, true);
   sheet.drawing.save(path);
@@ -126,8 +126,8 @@ CurvePlot luminance_plot(const GoniometerSpec& spec, const GoniometerResult& res
   for (std::size_t i = 0; i < shown; ++i) {
     std::vector<const GoniometerRow*> rows;
     for (const GoniometerRow& row : result.rows) {
-      const bool same = i == 0 ? !row.setting.filtered
-                               : row.setting.filtered && row.setting.filter == spec.filter.angles[i - 1];
+      const bool same =
+          i == 0 ? !row.setting.filtered : row.setting.filtered && row.setting.filter == spec.filter.angles[i - 1];
       if (row.kind == kind && row.setting.psi == psi && same) rows.push_back(&row);
     }
     if (!rows.empty()) add_curves(rows, design::series_ink(i), result.photons > 0, plot);
@@ -139,8 +139,8 @@ void write_luminance(const GoniometerSpec& spec, const GoniometerResult& result,
                      const std::filesystem::path& path) {
   const std::size_t panels = std::min(spec.psi.size(), kMostPanels);
   Sheet sheet(panels, std::string(name_of(kind)) + ": luminance against the angle of observation",
-                               "lines: film evaluated; discs: measured; rings with bars: traced ± 1 standard error; dashes: "
-                               "published simulation");
+              "lines: film evaluated; discs: measured; rings with bars: traced ± 1 standard error; dashes: "
+              "published simulation");
   for (std::size_t i = 0; i < panels; ++i) {
     draw_curves(sheet.drawing, luminance_plot(spec, result, kind, spec.psi[i]), panel(i), kText, true);
   }

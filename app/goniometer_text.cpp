@@ -22,11 +22,10 @@ using tracer::LuminanceMetrics;
 using tracer::ScatterKind;
 using Json = nlohmann::ordered_json;
 
-constexpr std::array<std::pair<GoniometerColumn, const char*>, 4> kColumns{
-    {{GoniometerColumn::published, "published"},
-     {GoniometerColumn::table, "table"},
-     {GoniometerColumn::film, "film"},
-     {GoniometerColumn::traced, "traced"}}};
+constexpr std::array<std::pair<GoniometerColumn, const char*>, 4> kColumns{{{GoniometerColumn::published, "published"},
+                                                                            {GoniometerColumn::table, "table"},
+                                                                            {GoniometerColumn::film, "film"},
+                                                                            {GoniometerColumn::traced, "traced"}}};
 constexpr std::array<std::pair<std::optional<ScatterKind>, const char*>, 3> kKinds{
     {{ScatterKind::reflection, "reflection"}, {ScatterKind::transmission, "transmission"}, {std::nullopt, "both"}}};
 
@@ -43,8 +42,8 @@ std::optional<double> given(double value) {
 }
 
 Json metrics_json(const LuminanceMetrics& m) {
-  return {{"rows", m.pairs},         {"plain", m.plain},       {"theta_10", m.at_ten},
-          {"theta_to_20", m.to_twenty}, {"weighted", m.weighted}, {"l2", m.l2}};
+  return {{"rows", m.pairs},        {"plain", m.plain}, {"theta_10", m.at_ten}, {"theta_to_20", m.to_twenty},
+          {"weighted", m.weighted}, {"l2", m.l2}};
 }
 
 /// Metrics in percent; a dash where no reading counts.
@@ -53,15 +52,15 @@ std::string percent(double fraction) {
 }
 
 std::string metrics_table(const GoniometerResult& result) {
-  std::string text = fmt::format("{:<14}{:<11}{:>6}{:>9}{:>12}{:>13}{:>10}{:>7}\n", "against", "column", "rows", "plain",
-                                 "theta = 10", "theta <= 20", "weighted", "L2");
+  std::string text = fmt::format("{:<14}{:<11}{:>6}{:>9}{:>12}{:>13}{:>10}{:>7}\n", "against", "column", "rows",
+                                 "plain", "theta = 10", "theta <= 20", "weighted", "L2");
   for (const auto& [kind, kind_name] : kKinds) {
     for (const auto& [column, name] : kColumns) {
       const LuminanceMetrics m = goniometer_metrics(result, column, kind);
       if (m.pairs == 0) continue;
       if (column == GoniometerColumn::traced && result.photons == 0) continue;
-      text += fmt::format("{:<14}{:<11}{:>6}{:>9}{:>12}{:>13}{:>10}{:>7}\n", kind_name, name, m.pairs,
-                          percent(m.plain), percent(m.at_ten), percent(m.to_twenty), percent(m.weighted), percent(m.l2));
+      text += fmt::format("{:<14}{:<11}{:>6}{:>9}{:>12}{:>13}{:>10}{:>7}\n", kind_name, name, m.pairs, percent(m.plain),
+                          percent(m.at_ten), percent(m.to_twenty), percent(m.weighted), percent(m.l2));
     }
   }
   return text;
@@ -147,7 +146,8 @@ std::string goniometer_summary(const GoniometerSpec& spec, const GoniometerResul
   if (result.photons > 0) {
     const auto& a = result.agreement;
     text += fmt::format(
-        "traced against evaluated: {:.3g} photons, {} of {} rows with at least 20 expected hits: chi-square / degrees of "
+        "traced against evaluated: {:.3g} photons, {} of {} rows with at least 20 expected hits: chi-square / degrees "
+        "of "
         "freedom {:.1f} / {} = {:.2f}, largest |z| {:.2f}\n",
         static_cast<double>(result.photons), a.rows, result.rows.size(), a.chi_square, a.rows, a.per_degree(),
         a.largest_z);

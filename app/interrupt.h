@@ -1,12 +1,14 @@
 #pragma once
 
+#include <csignal>
 #include <stop_token>
 #include <thread>
 
 namespace evenglow::app {
 
 /// While it lives, Ctrl-C and SIGTERM ask for a stop instead of ending the program; a second one ends it at once.
-/// Made in main before any other thread, so that all threads leave these signals to it.
+/// Made in main before the program's own threads, so that they all leave these signals to it; threads that a library
+/// started earlier pass them on.
 class InterruptGuard {
  public:
   InterruptGuard();
@@ -18,6 +20,8 @@ class InterruptGuard {
 
  private:
   std::stop_source source_;
+  struct sigaction old_int_ {};
+  struct sigaction old_term_ {};
   std::jthread waiter_;
 };
 

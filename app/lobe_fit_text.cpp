@@ -28,7 +28,8 @@ std::string metrics_text(const LuminanceMetrics& reflection, const LuminanceMetr
 /// Path of `file` as written in a run file at `run_file`; in quotes, as any name may be.
 std::string yaml_path(const std::filesystem::path& file, const std::filesystem::path& run_file) {
   const auto folder = std::filesystem::absolute(run_file).parent_path();
-  const std::string name = std::filesystem::absolute(file).lexically_normal().lexically_relative(folder.lexically_normal()).string();
+  const std::string name =
+      std::filesystem::absolute(file).lexically_normal().lexically_relative(folder.lexically_normal()).string();
   std::string text = "\"";
   for (const char c : name) text += (c == '"' || c == '\\') ? std::string{'\\', c} : std::string(1, c);
   return text + "\"";
@@ -37,8 +38,8 @@ std::string yaml_path(const std::filesystem::path& file, const std::filesystem::
 }  // namespace
 
 std::string fit_summary(const tracer::LobeFit& fit, std::size_t readings) {
-  std::string text = fmt::format("{} readings, {} parameters ({} free); {} after {} steps\n", readings, fit.values.size(),
-                                 readings - static_cast<std::size_t>(fit.degrees_of_freedom),
+  std::string text = fmt::format("{} readings, {} parameters ({} free); {} after {} steps\n", readings,
+                                 fit.values.size(), readings - static_cast<std::size_t>(fit.degrees_of_freedom),
                                  fit.converged ? "converged" : "NOT converged", fit.iterations);
   for (const auto& value : fit.values) {
     text += fmt::format("  {:<26}{:>12.5g} ± {:<10.2g}\n", value.key, value.value, value.se);
@@ -50,20 +51,23 @@ std::string fit_summary(const tracer::LobeFit& fit, std::size_t readings) {
 }
 
 std::string validation_summary(const tracer::CrossValidation& validation) {
-  return fmt::format("{}-fold cross-validation, each reading predicted by a fit without it (chi-square per reading {:.2f}):\n",
-                     validation.folds, validation.chi_square) +
+  return fmt::format(
+             "{}-fold cross-validation, each reading predicted by a fit without it (chi-square per reading {:.2f}):\n",
+             validation.folds, validation.chi_square) +
          metrics_text(validation.reflection, validation.transmission);
 }
 
 std::string hemispherical_summary(const tracer::LobeModel& film) {
-  std::string text = fmt::format("  {:<10}{:>8}{:>8}{:>8}{:>8}\n", "sigma_deg", "T_pass", "R_pass", "T_block", "R_block");
+  std::string text =
+      fmt::format("  {:<10}{:>8}{:>8}{:>8}{:>8}\n", "sigma_deg", "T_pass", "R_pass", "T_block", "R_block");
   for (const int sigma : {0, 30, 45, 60}) {
     const auto rho = [&](ScatterKind kind, FilmLight light) {
       return film.hemispherical(kind, light, sigma * core::kRadPerDeg);
     };
-    text += fmt::format("  {:<10}{:>8.3f}{:>8.3f}{:>8.3f}{:>8.3f}\n", sigma,
-                        rho(ScatterKind::transmission, FilmLight::pass), rho(ScatterKind::reflection, FilmLight::pass),
-                        rho(ScatterKind::transmission, FilmLight::block), rho(ScatterKind::reflection, FilmLight::block));
+    text +=
+        fmt::format("  {:<10}{:>8.3f}{:>8.3f}{:>8.3f}{:>8.3f}\n", sigma,
+                    rho(ScatterKind::transmission, FilmLight::pass), rho(ScatterKind::reflection, FilmLight::pass),
+                    rho(ScatterKind::transmission, FilmLight::block), rho(ScatterKind::reflection, FilmLight::block));
   }
   return "hemispherical reflectance and transmittance (oblique incidence is an assumption of the model):\n" + text;
 }

@@ -61,9 +61,9 @@ TEST_F(FilmGoniometer, FaultsNameTheirLine) {
 }
 
 TEST_F(FilmGoniometer, FitWritesARunFileThatTheGoniometerTakes) {
-  const auto fit = run({"film", "fit", "--reflection", kConfigs + "/data/dbef_reflection_luminance.csv",
-                        "--transmission", kConfigs + "/data/dbef_transmission_luminance.csv", "-o", "fitted.yaml",
-                        "--folds", "4"});
+  const auto fit =
+      run({"film", "fit", "--reflection", kConfigs + "/data/dbef_reflection_luminance.csv", "--transmission",
+           kConfigs + "/data/dbef_transmission_luminance.csv", "-o", "fitted.yaml", "--folds", "4"});
   ASSERT_EQ(fit.code, 0) << fit.err;
   for (const char* word : {"t1", "±", "4-fold cross-validation", "T_pass", "wrote fitted.yaml"}) {
     EXPECT_THAT(fit.out, HasSubstr(word));

@@ -55,9 +55,9 @@ class Resume : public ::testing::Test {
     return {"design",    "tiny.yaml",
             "-o",        out,
             "--threads", "2",
-            "--photons", "1.5e5",
+            "--photons", "1e5",
             "--set",     "design.max_steps=4",
-            "--set",     "design.first_photons=5e4"};
+            "--set",     "design.first_photons=3e4"};
   }
 
   static Words with(Words words, const Words& more) {
@@ -103,7 +103,7 @@ INSTANTIATE_TEST_SUITE_P(Signals, ResumeAfterSignal, ::testing::Values(SIGINT, S
                          });
 
 TEST_F(Resume, OfTheFinalTraceRepeatsOnlyThat) {
-  const Words words = {"design", "tiny.yaml", "-o", "out", "--photons", "1e6", "--set", "design.max_steps=0"};
+  const Words words = {"design", "tiny.yaml", "-o", "out", "--photons", "5e5", "--set", "design.max_steps=0"};
   Words whole = words;
   whole[3] = "whole";
   ASSERT_EQ(run(whole).code, 0);
@@ -117,7 +117,7 @@ TEST_F(Resume, OfTheFinalTraceRepeatsOnlyThat) {
 
 TEST_F(Resume, OfAComparisonKeepsTheVariantsThatAreDesigned) {
   const auto compare = [](const std::string& out) {
-    return Words{"compare", "tiny.yaml", "-o", out, "--photons", "2e5", "--threads", "2"};
+    return Words{"compare", "tiny.yaml", "-o", out, "--photons", "1e5", "--threads", "2"};
   };
   ASSERT_EQ(run(compare("whole")).code, 0);
   const auto second = folder_ / "out" / "dbef" / "checkpoint.json";

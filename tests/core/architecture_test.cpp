@@ -72,6 +72,7 @@ const HouseRules& house() {
           {
               {"yaml-cpp", {"yaml-cpp/"}, {"core/config/"}},
               {"TBB", {"tbb/", "oneapi/"}, {"core/montecarlo/batches.cpp"}},
+              {"OpenSSL", {"openssl/"}, {"core/base/sha256.cpp"}},
               {"Random123", {"Random123/"}, {"core/montecarlo/"}},
               {"Embree", {"embree"}, {"tracer/geometry/ray_caster.cpp"}},
               {"Ceres", {"ceres/", "glog/"}, {"design/updaters/coarse_newton_updater.cpp", "tracer/polarized_bsdf/"}},

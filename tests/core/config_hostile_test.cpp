@@ -71,9 +71,9 @@ INSTANTIATE_TEST_SUITE_P(
         StructureCase{"a: \"x\\\"\n", {"run.yaml:1:4: not valid YAML: the quote that opens here is never closed"}},
         StructureCase{"a: 'it''s'\nb: \"\\\"x\\\\\"\n", {}}, StructureCase{"a: ''\n", {}},
         StructureCase{"'a': \"\"\n\n", {}},
-        StructureCase{
-            "a:\n  b: 1\n\tc: 2\n",
-            {"run.yaml:3:3: not valid YAML: illegal map value (lines must be indented with spaces, not tabs)"}},
+        StructureCase{"a:\n  b: 1\n\tc: 2\n",
+                      {"run.yaml:3:1: not valid YAML: illegal tab when looking for indentation (lines must be indented "
+                       "with spaces, not tabs)"}},
         StructureCase{"a: *x", {"run.yaml:1:4: not valid YAML: the referenced anchor is not defined"}},
         StructureCase{"a: &x [1, *x]", {"run.yaml:1:11: an alias must not stand inside the value that it names"}},
         StructureCase{"a: &x {b: {c: *x}}", {"run.yaml:1:15: an alias must not stand inside the value that it names"}},

@@ -9,8 +9,8 @@
 #include "tests/support/films.h"
 #include "tests/support/z_test.h"
 
-/// Statement of the sampler: 1e8 photons a case, luminance of every (phi, theta) bin about the specular and the direct axis
-/// against the integral of `evaluate` over that bin.
+/// Statement of the sampler: 1e8 photons a case, luminance of every (phi, theta) bin about the specular and the direct
+/// axis against the integral of `evaluate` over that bin.
 namespace evenglow::tracer {
 namespace {
 
@@ -96,7 +96,7 @@ Counts traced(const Bsdf& film, const core::StokesVector& light, const AxisBins&
 
 class DbefBinsLong : public testing::TestWithParam<double> {};
 
-// About 2000 bins expect 20 photons or more: chi-square per degree of freedom has a spread of 0.03, so 1 +- 0.08 is
+// 2400 to 3200 bins expect 20 photons or more: chi-square per degree of freedom has a spread below 0.03, so 1 +- 0.08 is
 // passed by chance once in 130 cases; R and T within 3 standard errors, once in 370 each. Together 13 % over nine cases
 // on a new seed; the seeds are fixed.
 TEST_P(DbefBinsLong, EveryBinHasItsLuminance) {

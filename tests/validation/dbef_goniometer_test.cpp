@@ -3,8 +3,8 @@
 #include "tests/support/films.h"
 #include "tracer/goniometer/goniometer.h"
 
-/// The published luminance tables of a DBEF sample on the virtual goniometer, as configs/dbef_goniometer.yaml sets it up,
-/// evaluated. Limits: the figures of configs/data/README.md. The data were fitted to these measurements.
+/// The published luminance tables of a DBEF sample on the virtual goniometer, as configs/dbef_goniometer.yaml sets it
+/// up, evaluated. Limits: the figures of configs/data/README.md. The data were fitted to these measurements.
 namespace evenglow::tracer {
 namespace {
 
@@ -12,7 +12,6 @@ GoniometerResult published_setup(const std::string& film) {
   core::ConfigDocument document =
       core::ConfigDocument::load(std::string(EVENGLOW_SOURCE_DIR) + "/configs/dbef_goniometer.yaml");
   if (!film.empty()) document.apply({"goniometer.film", film, "test"});
-  document.root().mark_read();
   return *measure(read_goniometer(document.root().map("goniometer", "", true)), {});
 }
 

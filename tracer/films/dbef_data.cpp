@@ -8,8 +8,8 @@ namespace evenglow::tracer {
 namespace {
 
 std::optional<DbefData> read_table(const core::ConfigNode& film) {
-  const auto path = film.file({"table", "polarized BSDF table (CSV); without it or a model the film is specular",
-                               std::string()});
+  const auto path =
+      film.file({"table", "polarized BSDF table (CSV); without it or a model the film is specular", std::string()});
   const double wavelength =
       film.number({"wavelength_nm", "wavelength that the table is read at", {100, 10000, false, false}, 550.0});
   std::optional<HemisphericalTable> totals;

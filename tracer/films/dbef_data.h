@@ -23,8 +23,8 @@ bool has_dbef_data(const core::ConfigNode& film);
 ///
 /// | key of `model` | meaning (configs/data/README.md, "The model") | default |
 /// | --- | --- | --- |
-/// | sx, sy | widths of the narrow reflected lobe along the pass and the block axis, direction cosines | 0.07466, 0.10178 |
-/// | s2, s3p, s3b | middle reflected lobe; wide one of pass and of block light | 0.17775, 0.33035, 0.57813 |
+/// | sx, sy | widths of the narrow reflected lobe along the pass and the block axis, direction cosines | 0.07466,
+/// 0.10178 | | s2, s3p, s3b | middle reflected lobe; wide one of pass and of block light | 0.17775, 0.33035, 0.57813 |
 /// | p1_cd_m2, p3_cd_m2 | reflected pass light: narrow, wide | 286.76, 39.134 |
 /// | b1_cd_m2, b2_cd_m2, b3_cd_m2 | reflected block light: narrow, middle, wide | 5686.5, 463.48, 10.952 |
 /// | t1, t2, t3 | widths of the transmitted lobes | 0.09702, 0.13653, 0.52847 |

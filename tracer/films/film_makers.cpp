@@ -63,7 +63,7 @@ void read_scattering_dbef(const core::ConfigNode& node, Film& film) {
                                            film.axis);
   });
   if (!surface) return;
-  film.remarks = (*surface)->remarks();
+  film.remarks = without_folder((*surface)->remarks(), path);
   film.surface = std::move(*surface);
 }
 

@@ -102,8 +102,8 @@ const DetectorHits& hits_of(const GoniometerSpec& spec, const std::vector<Traced
     const auto kind = std::find(setting.kinds.begin(), setting.kinds.end(), row.kind);
     if (kind == setting.kinds.end()) continue;
     const auto theta = std::find(spec.theta.begin(), spec.theta.end(), row.setting.theta);
-    const auto index = (kind - setting.kinds.begin()) * static_cast<std::ptrdiff_t>(spec.theta.size()) +
-                       (theta - spec.theta.begin());
+    const auto index =
+        (kind - setting.kinds.begin()) * static_cast<std::ptrdiff_t>(spec.theta.size()) + (theta - spec.theta.begin());
     return setting.hits[static_cast<std::size_t>(index)];
   }
   throw core::Error("a goniometer row without a trace");
@@ -137,7 +137,8 @@ std::size_t traced_settings(const GoniometerSpec& spec) {
 }
 
 std::optional<GoniometerResult> measure(const GoniometerSpec& spec, const GoniometerTrace& trace) {
-  core::expects(spec.film.surface != nullptr && spec.film.surface->scatters(), "a goniometer looks at a film that scatters");
+  core::expects(spec.film.surface != nullptr && spec.film.surface->scatters(),
+                "a goniometer looks at a film that scatters");
   GoniometerResult result;
   result.rows = rows_of(spec);
   std::vector<TracedSetting> settings = settings_of(spec);

@@ -16,18 +16,19 @@ namespace evenglow::tracer {
 /// What the detector reads at one setting. Luminances in cd/m2, means over the acceptance cone C about the direction of
 /// the detector,
 ///
-///     L = E integral_C f cos dOmega / integral_C cos dOmega,     integral_C cos dOmega = pi sin^2(acceptance) cos(detector)
+///     L = E integral_C f cos dOmega / integral_C cos dOmega,     integral_C cos dOmega = pi sin^2(acceptance)
+///     cos(detector)
 ///
 /// with E the illuminance behind the filter.
 struct GoniometerRow {
   ScatterKind kind = ScatterKind::reflection;
-  LuminanceRow setting;              ///< `measured` and `published` negative where there are none
-  std::optional<double> table;       ///< from the film's table itself, if it has one
-  double film = 0.0;                 ///< from `Bsdf::evaluate` of the film in use
-  core::Estimate traced;             ///< from photons scattered by `Bsdf::sample`
-  double expected_hits = 0.0;        ///< of the detector, from `film`
+  LuminanceRow setting;         ///< `measured` and `published` negative where there are none
+  std::optional<double> table;  ///< from the film's table itself, if it has one
+  double film = 0.0;            ///< from `Bsdf::evaluate` of the film in use
+  core::Estimate traced;        ///< from photons scattered by `Bsdf::sample`
+  double expected_hits = 0.0;   ///< of the detector, from `film`
   double hits = 0.0;
-  double z = 0.0;                    ///< (hits - expected) over the binomial standard error of the expectation
+  double z = 0.0;  ///< (hits - expected) over the binomial standard error of the expectation
 };
 
 /// Do tracing and evaluation agree? Over the rows that expect at least 20 hits.

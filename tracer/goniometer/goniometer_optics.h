@@ -3,8 +3,8 @@
 #include "core/light/stokes.h"
 #include "tracer/goniometer/goniometer_spec.h"
 
-/// Directions and light of a goniometer in the film's frame. Light comes from above; the film lies still and the plane of
-/// incidence is turned by -psi instead.
+/// Directions and light of a goniometer in the film's frame. Light comes from above; the film lies still and the plane
+/// of incidence is turned by -psi instead.
 namespace evenglow::tracer {
 
 /// The film turned by psi: everything in the frame in which its own axis is where its key says.
@@ -28,8 +28,8 @@ class GoniometerView {
   double sin_sigma_, cos_sigma_;
 };
 
-/// A point of the cone of half-angle `acceptance` about (phi = 0, theta), in angles from the axis, with its share of the
-/// cone's solid angle.
+/// A point of the cone of half-angle `acceptance` about (phi = 0, theta), in angles from the axis, with its share of
+/// the cone's solid angle.
 struct ConePoint {
   double phi = 0.0, theta = 0.0;
 };

@@ -33,7 +33,8 @@ void read_film(const core::ConfigNode& node, GoniometerSpec& spec) {
   auto film = film_registry().make(node);
   if (!film) return;
   if (film->surface && !film->surface->scatters()) {
-    node.fault("must scatter (kind dbef with table or model, or diffuser), got a specular film, which no detector sees");
+    node.fault(
+        "must scatter (kind dbef with table or model, or diffuser), got a specular film, which no detector sees");
   } else if (film->sheet) {
     node.fault("must be a film, got a sheet with a body");
   }
@@ -69,18 +70,24 @@ void read_measured(const core::ConfigNode& node, GoniometerSpec& spec) {
 }
 
 void read_filter(const core::ConfigNode& node, GoniometerSpec& spec) {
-  spec.filter.k1 = node.number({"k1", "transmittance of light along the pass axis of the filter", Range::closed(0, 1), 0.9});
+  spec.filter.k1 =
+      node.number({"k1", "transmittance of light along the pass axis of the filter", Range::closed(0, 1), 0.9});
   spec.filter.k2 = node.number({"k2", "transmittance of light across it", Range::closed(0, 1), 0.0});
   if (spec.filter.k2 > spec.filter.k1) {
     node.fault_at("k2", fmt::format("must be at most k1 = {:g}, got {:g}", spec.filter.k1, spec.filter.k2));
   }
-  spec.filter.angles = angles(node, {"angles_deg", "angles of the filter's pass axis from the plane of incidence",
-                                     {0, 180, false, true}, 0, 180, std::vector<double>{0, 45, 90}, true});
+  spec.filter.angles = angles(node, {"angles_deg",
+                                     "angles of the filter's pass axis from the plane of incidence",
+                                     {0, 180, false, true},
+                                     0,
+                                     180,
+                                     std::vector<double>{0, 45, 90},
+                                     true});
   const Range offset = Range::closed(-45, 45);
-  spec.offset_reflection = node.number(
-      {"offset_reflection_deg", "from psi to the film's axis of polarization that the filter sees, reflection", offset, 0.0});
-  spec.offset_transmission =
-      node.number({"offset_transmission_deg", "the same for transmission", offset, 0.0});
+  spec.offset_reflection =
+      node.number({"offset_reflection_deg",
+                   "from psi to the film's axis of polarization that the filter sees, reflection", offset, 0.0});
+  spec.offset_transmission = node.number({"offset_transmission_deg", "the same for transmission", offset, 0.0});
 }
 
 }  // namespace
@@ -93,18 +100,22 @@ GoniometerSpec read_goniometer(const core::ConfigNode& node) {
   spec.sigma = lamp.number({"sigma_deg", "angle of incidence", Range::closed(0, 85), 0.0});
   read_filter(node.map("filter", "linear polarizer between lamp and film"), spec);
   const core::ConfigNode detector = node.map("detector", "luminance meter that looks at the film");
-  spec.theta = angles(detector, {"theta_deg", "angle of observation from the specular or direct axis",
-                                 {0, 90, false, true}, 1, 1000, std::vector<double>{10, 20, 30, 40, 50, 60}});
-  spec.acceptance =
-      detector.number({"acceptance_deg", "half-angle of the cone that the detector averages over", Range::positive(10), 0.5});
+  spec.theta = angles(detector, {"theta_deg",
+                                 "angle of observation from the specular or direct axis",
+                                 {0, 90, false, true},
+                                 1,
+                                 1000,
+                                 std::vector<double>{10, 20, 30, 40, 50, 60}});
+  spec.acceptance = detector.number(
+      {"acceptance_deg", "half-angle of the cone that the detector averages over", Range::positive(10), 0.5});
   for (const double theta : spec.theta) {
     if (spec.sigma + theta + spec.acceptance < 0.5 * core::kPi) continue;
     detector.fault_at("theta_deg", fmt::format("sigma_deg + theta_deg + acceptance_deg must stay below 90, got {:g}",
                                                (spec.sigma + theta + spec.acceptance) / core::kRadPerDeg));
     break;
   }
-  spec.psi = angles(node, {"psi_deg", "rotations of the film", {0, 360, false, true}, 1, 360,
-                           std::vector<double>{0, 45, 90}});
+  spec.psi =
+      angles(node, {"psi_deg", "rotations of the film", {0, 360, false, true}, 1, 360, std::vector<double>{0, 45, 90}});
   read_measured(node.map("measured", "luminance tables to compare with"), spec);
   return spec;
 }

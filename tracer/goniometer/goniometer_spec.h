@@ -18,8 +18,8 @@ struct GoniometerFilter {
   std::vector<double> angles;  ///< rad, pass axis from the plane of incidence
 };
 
-/// Set-up of figure 6 of the DBEF paper: a lamp far away, a filter, the film turned by psi, a detector that looks at the
-/// film. Map `goniometer` of the run file:
+/// Set-up of figure 6 of the DBEF paper: a lamp far away, a filter, the film turned by psi, a detector that looks at
+/// the film. Map `goniometer` of the run file:
 ///
 /// | key | meaning | default |
 /// | --- | --- | --- |
@@ -28,11 +28,11 @@ struct GoniometerFilter {
 /// | lamp.sigma_deg | angle of incidence, [0, 85] | 0 |
 /// | filter.k1, filter.k2 | principal transmittances of the filter | 0.9, 0 |
 /// | filter.angles_deg | angles of the filter, [0, 180) | 0, 45, 90 |
-/// | filter.offset_reflection_deg, filter.offset_transmission_deg | from psi to the film's axis of polarization, as the scale of the filter sees it | 0 |
-/// | detector.theta_deg | from the specular (direct) axis, [0, 90) | 10, 20, 30, 40, 50, 60 |
-/// | detector.acceptance_deg | half-angle of the cone that the detector averages over, (0, 10] | 0.5 |
-/// | psi_deg | rotations of the film, [0, 360) | 0, 45, 90 |
-/// | measured.reflection, measured.transmission | luminance tables to compare with (CSV) | none |
+/// | filter.offset_reflection_deg, filter.offset_transmission_deg | from psi to the film's axis of polarization, as the
+/// scale of the filter sees it | 0 | | detector.theta_deg | from the specular (direct) axis, [0, 90) | 10, 20, 30, 40,
+/// 50, 60 | | detector.acceptance_deg | half-angle of the cone that the detector averages over, (0, 10] | 0.5 | |
+/// psi_deg | rotations of the film, [0, 360) | 0, 45, 90 | | measured.reflection, measured.transmission | luminance
+/// tables to compare with (CSV) | none |
 struct GoniometerSpec {
   Film film;
   std::optional<DbefData> data;  ///< of a film that has a table or a model, for its values without resampling

@@ -65,19 +65,21 @@ void LobeModel::check() const {
     const double T = unscaled(ScatterKind::transmission, light);
     const double most = 1.0 - parameters_.absorption;
     if (T > most) {
-      throw core::Error(fmt::format("transmittance of {} light must be at most 1 - absorption = {:g}, got {:g}", name,
-                                    most, T));
+      throw core::Error(
+          fmt::format("transmittance of {} light must be at most 1 - absorption = {:g}, got {:g}", name, most, T));
     }
     if (unscaled(ScatterKind::reflection, light) == 0.0 && T < most) {
-      throw core::Error(fmt::format("reflected {} light needs a lobe (what is neither transmitted nor absorbed)", name));
+      throw core::Error(
+          fmt::format("reflected {} light needs a lobe (what is neither transmitted nor absorbed)", name));
     }
   }
   const double wide = parameters_.p3 / parameters_.e0 * lobe_integral(parameters_.s3p, parameters_.s3p);
   const double R = hemispherical(ScatterKind::reflection, FilmLight::pass, 0.0);
   if (wide >= R || (wide < R && parameters_.p1 == 0.0)) {
-    throw core::Error(fmt::format("the wide lobe of reflected pass light must leave room for the narrow one below "
-                                  "1 - absorption - T = {:g}, got {:g}",
-                                  R, wide));
+    throw core::Error(
+        fmt::format("the wide lobe of reflected pass light must leave room for the narrow one below "
+                    "1 - absorption - T = {:g}, got {:g}",
+                    R, wide));
   }
 }
 

@@ -24,15 +24,16 @@ double lobe_integral(double sx, double sy);
 ///     H_R,p = [p1 g(dx^2/sx^2 + dy^2/sy^2)                    + p3 g(d^2/s3p^2)] / e0
 ///     H_R,b = [b1 g(dx^2/sx^2 + dy^2/sy^2) + b2 g(d^2/s2^2)   + b3 g(d^2/s3b^2)] / e0
 ///     H_T,s = [a1 g(d^2/t1^2) + a2 g(d^2/t2^2) + a3 g(d^2/t3^2)] / e0              (a1 = 0 for s = b)
-///     f_X,s(in, out) = c_X,s(in) c_X,s(out) H_X,s(d)                               (the wide lobe of H_R,p keeps c = 1)
+///     f_X,s(in, out) = c_X,s(in) c_X,s(out) H_X,s(d)                               (the wide lobe of H_R,p keeps c =
+///     1)
 ///
 /// so that f(in, out) = f(out, in). c makes the integral of f cos over the hemisphere equal to
 ///
 ///     rho_T,s(sigma) = T_s (1 - F(sigma)) / (1 - F(0)),     rho_R,s = 1 - absorption - rho_T,s
 ///
 /// with T_s the integral of H_T,s at normal incidence and F the reflectance of natural light of two smooth faces
-/// (2 R / (1 + R) for s and for p light, averaged). What happens at oblique incidence is an assumption: the measurements
-/// that the default parameters come from hold none.
+/// (2 R / (1 + R) for s and for p light, averaged). What happens at oblique incidence is an assumption: the
+/// measurements that the default parameters come from hold none.
 class LobeModel {
  public:
   /// Throws `core::Error` that says why if the parameters would make energy: T above 1 - absorption, or a wide lobe of

@@ -6,8 +6,8 @@ namespace evenglow::tracer {
 
 /// One pair to be compared.
 struct LuminancePair {
-  double theta = 0.0;     ///< rad, from the specular (direct) axis
-  double measured = 0.0;  ///< m, cd/m2; pairs with m = 0 count in `l2` alone
+  double theta = 0.0;      ///< rad, from the specular (direct) axis
+  double measured = 0.0;   ///< m, cd/m2; pairs with m = 0 count in `l2` alone
   double simulated = 0.0;  ///< s, cd/m2
 };
 

@@ -55,9 +55,9 @@ LuminanceTable make(const CsvNumbers& numbers, ScatterKind kind) {
   std::sort(settings.begin(), settings.end());
   for (std::size_t i = 1; i < settings.size(); ++i) {
     if (settings[i].first != settings[i - 1].first) continue;
-    throw core::ConfigError(core::Fault{table.name, settings[i].second, 1, "",
-                                        fmt::format("each setting may stand once, got that of line {} again",
-                                                    settings[i - 1].second)});
+    throw core::ConfigError(
+        core::Fault{table.name, settings[i].second, 1, "",
+                    fmt::format("each setting may stand once, got that of line {} again", settings[i - 1].second)});
   }
   return table;
 }

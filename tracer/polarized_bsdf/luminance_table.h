@@ -20,8 +20,8 @@ struct LuminanceRow {
 };
 
 /// Luminance of the light that a film reflects or transmits, under natural and filtered light: columns
-/// `psi_deg,theta_deg,illumination,measured_cd_m2` and optionally `simulated_cd_m2`; illumination is `natural` or `lpfA`
-/// with A the angle of the filter in whole degrees, 0 to 179.
+/// `psi_deg,theta_deg,illumination,measured_cd_m2` and optionally `simulated_cd_m2`; illumination is `natural` or
+/// `lpfA` with A the angle of the filter in whole degrees, 0 to 179.
 struct LuminanceTable {
   std::string name;
   ScatterKind kind = ScatterKind::reflection;

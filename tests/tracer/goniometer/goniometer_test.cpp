@@ -88,8 +88,9 @@ TEST(Goniometer, TheWrongPolarizationIsNoticed) {
 }
 
 TEST(Goniometer, NaturalLightIsTheMeanOfCrossedFilters) {
-  const GoniometerSpec spec = spec_of(std::string("goniometer: {film: ") + kDbef +
-                                      ", filter: {k1: 1, k2: 0, angles_deg: [17, 107]}, lamp: {sigma_deg: 30}}");
+  const GoniometerSpec spec = spec_of(
+      std::string("goniometer: {film: ") + kDbef +
+      ", filter: {k1: 1, k2: 0, angles_deg: [17, 107]}, lamp: {sigma_deg: 30}, detector: {theta_deg: [5, 40]}}");
   const auto result = measure(spec, {});
   for (std::size_t i = 0; i < result->rows.size(); i += 3) {
     EXPECT_NEAR(result->rows[i].film, result->rows[i + 1].film + result->rows[i + 2].film, 1e-9);
