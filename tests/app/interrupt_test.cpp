@@ -29,7 +29,7 @@ TEST(InterruptGuard, AThreadThatWasThereBeforePassesTheSignalOn) {
     while (!end.stop_requested()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
   });
   const InterruptGuard guard;
-  ::kill(::getpid(), SIGINT);
+  ::pthread_kill(earlier.native_handle(), SIGINT);
   EXPECT_TRUE(stops_soon(guard.token()));
 }
 

@@ -55,6 +55,15 @@ void read_ideal_dbef(const core::ConfigNode& node, Film& film) {
   film.surface = std::make_unique<IdealPolarizer>(p, film.axis, kDbefIndex);
 }
 
+/// Remarks (`FILE: text`) that name their file without its folder: results must not depend on where a run stands.
+std::vector<std::string> without_folders(std::vector<std::string> remarks) {
+  for (std::string& remark : remarks) {
+    const std::size_t slash = remark.substr(0, remark.find(": ")).rfind('/');
+    if (slash != std::string::npos) remark.erase(0, slash + 1);
+  }
+  return remarks;
+}
+
 void read_scattering_dbef(const core::ConfigNode& node, Film& film) {
   const auto data = read_dbef_data(node);
   if (!data) return;
@@ -63,7 +72,7 @@ void read_scattering_dbef(const core::ConfigNode& node, Film& film) {
                                            film.axis);
   });
   if (!surface) return;
-  film.remarks = without_folder((*surface)->remarks(), path);
+  film.remarks = without_folders((*surface)->remarks());
   film.surface = std::move(*surface);
 }
 
