@@ -71,7 +71,8 @@ std::string measured_text(const GoniometerResult& result) {
          "theta <= 20 degrees; weighted = that with weight m; L2 = sqrt(sum (s-m)^2 / sum m^2)\n" +
          metrics_table(result) +
          "published = simulated column of the measured file; table = the film's table, interpolated;\n"
-         "film = the film as the tracer evaluates it; traced = photons\n" +
+         "film = the film as the tracer evaluates it; traced = photons, with their noise (standard errors in the "
+         "tables)\n" +
          kFittedCaveat + "\n";
 }
 

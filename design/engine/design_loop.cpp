@@ -59,10 +59,12 @@ std::string stop_reason(const DesignProgress& progress, const DesignSpec& spec, 
                         const Proposal& proposal) {
   const StepRecord& record = progress.steps.back();
   if (reached(record, spec) && level_rests(progress, spec, proposal)) {
-    return fmt::format("reached: the noise-corrected RMS is {:.2f} % (wanted {:.2f} %)",
-                       100.0 * record.rms_corrected.value, 100.0 * spec.stop_rms);
+    return fmt::format("reached: the noise-corrected RMS is {:.2f} +- {:.2f} % (wanted {:.2f} %)",
+                       100.0 * record.rms_corrected.value, 100.0 * record.rms_corrected.se, 100.0 * spec.stop_rms);
   }
   if (stalled(progress.steps, limits)) {
+    if (progress.best_rms >= kNoneYet)
+      return "stalled: the noise of the traces hides the RMS (more photons would tell)";
     return fmt::format("stalled: no better than {:.2f} % in the last {} steps", 100.0 * progress.best_rms, kStallSteps);
   }
   if (record.step >= spec.max_steps) return fmt::format("max_steps: {} steps were made", spec.max_steps);
@@ -146,7 +148,7 @@ DesignProgress run_design(const ForwardModel& model, const DesignSpec& spec, con
     const bool trusted = record.rms_corrected.se <= 0.5 * std::max(record.rms_corrected.value, spec.stop_rms);
     if (step == 0 || (trusted && record.rms_corrected.value < progress.best_rms + record.rms_corrected.se) ||
         reached(record, spec)) {
-      progress.best_rms = record.rms_corrected.value;
+      progress.best_rms = trusted || reached(record, spec) ? record.rms_corrected.value : kNoneYet;
       progress.best_density = state.density;
     }
     tell_limits(proposal, spec, progress);

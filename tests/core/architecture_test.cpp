@@ -65,8 +65,8 @@ const HouseRules& house() {
                 "tracer/receivers", "core/config", "core/math", "core/montecarlo"}},
 
               {"app",
-               {"design", "tracer/goniometer", "tracer/polarized_bsdf", "tracer/scene", "tracer/transport", "core/config",
-                "core/math", "core/montecarlo"}},
+               {"design", "tracer/goniometer", "tracer/polarized_bsdf", "tracer/scene", "tracer/transport",
+                "core/config", "core/math", "core/montecarlo"}},
           },
       .libraries =
           {
@@ -86,7 +86,7 @@ const HouseRules& house() {
               {"spdlog", {"spdlog/"}, {"app/"}},
               {"Eigen", {"Eigen/"}, {}},
               {"fmt", {"fmt/"}, {}},
-              {"POSIX", {"sys/", "unistd.h", "fcntl.h", "signal.h"}, {}},
+              {"POSIX", {"sys/", "unistd.h", "fcntl.h", "signal.h", "ucontext.h"}, {}},
           },
   };
   return kRules;

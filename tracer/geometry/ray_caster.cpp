@@ -13,6 +13,9 @@
 namespace evenglow::tracer {
 namespace {
 
+/// What still counts as a hit of `nearest_exact`: mm behind the origin, share of a quad's size beyond its border.
+constexpr double kSlack = 1e-7;
+
 /// The context of one query: Embree hands it back to the filter.
 struct SkipContext {
   RTCIntersectContext context;
@@ -110,7 +113,11 @@ RayHit RayCaster::nearest(const core::Vec3& origin, const core::Vec3& direction,
   rtcIntersect1(tree_->scene.get(), &context.context, &query);
   if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return {};
   const int quad = static_cast<int>(query.hit.primID);
-  return located(quad, distance_to(quad, origin, direction), origin, direction);
+  const double distance = distance_to(quad, origin, direction);
+  // In single precision the origin may lie on a quad, or beyond it, that the ray has behind it: in a corner of two
+  // mirrors the photon would be thrown to and fro for ever.
+  if (distance < -kSlack) return nearest_exact(origin, direction, [skip](int other) { return other != skip; });
+  return located(quad, distance, origin, direction);
 }
 
 RayHit RayCaster::exit_of(std::span<const int> faces, const core::Vec3& origin, const core::Vec3& direction,
@@ -149,7 +156,6 @@ RayHit RayCaster::located(int quad, double distance, const core::Vec3& origin, c
 
 RayHit RayCaster::nearest_exact(const core::Vec3& origin, const core::Vec3& direction,
                                 const std::function<bool(int quad)>& allowed) const {
-  constexpr double kSlack = 1e-7;
   RayHit best;
   double best_t = std::numeric_limits<double>::infinity();
   for (int i = 0; i < static_cast<int>(quads_.size()); ++i) {

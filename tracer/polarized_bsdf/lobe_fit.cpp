@@ -56,7 +56,7 @@ Covariance covariance_of(const LobeSolution& solution, bool throughput_held) {
   for (Eigen::Index i = 0; i < kLobeFree; ++i) {
     for (Eigen::Index j = i + 1; j < kLobeFree; ++j) {
       const double correlation = result.matrix(i, j) / std::sqrt(result.matrix(i, i) * result.matrix(j, j));
-      if (std::abs(correlation) < 0.98) continue;
+      if (!(std::abs(correlation) >= 0.98)) continue;  // also where one of them is held
       result.remarks.push_back(fmt::format("{} and {} can hardly be told apart (correlation {:.3f})",
                                            kLobeNames[static_cast<std::size_t>(i)],
                                            kLobeNames[static_cast<std::size_t>(j)], correlation));

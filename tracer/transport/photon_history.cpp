@@ -28,6 +28,9 @@ StokesVector to_world(const Surface& surface, const StokesVector& s) {
 /// Rounding of k and e1 grows from event to event unless it is taken out; by so little that every eighth time will do.
 constexpr int kEventsPerRenormalization = 8;
 
+/// Flights not longer than this (mm) end where they began.
+constexpr double kSamePoint = 1e-9;
+
 void renormalize(core::PolarizationFrame& frame) {
   frame.k *= 1.5 - 0.5 * frame.k.squaredNorm();
   frame.e1 -= frame.e1.dot(frame.k) * frame.k;
@@ -88,15 +91,18 @@ bool PhotonHistory::consistent(const Photon& photon, const RayHit& hit) const {
   return hit.quad < 0 ? photon.body < 0 : can_meet(photon, hit.quad);
 }
 
-RayHit PhotonHistory::next_hit(const Photon& photon) const {
+RayHit PhotonHistory::next_hit(const Walk& walk) const {
+  const Photon& photon = walk.photon;
   if (photon.body >= 0) {
     const auto& faces = faces_[static_cast<std::size_t>(photon.body)];
     return scene_.caster->exit_of(faces, photon.position, photon.light.frame.k, photon.quad);
   }
   const RayHit hit = scene_.caster->nearest(photon.position, photon.light.frame.k, photon.quad);
-  if (consistent(photon, hit)) return hit;
+  const bool back_into_corner = hit.quad >= 0 && hit.quad == walk.corner && hit.distance <= kSamePoint;
+  if (consistent(photon, hit) && !back_into_corner) return hit;
+  const int corner = back_into_corner ? walk.corner : -1;
   return scene_.caster->nearest_exact(photon.position, photon.light.frame.k,
-                                      [&](int quad) { return can_meet(photon, quad); });
+                                      [&](int quad) { return quad != corner && can_meet(photon, quad); });
 }
 
 PhotonHistory::Encounter PhotonHistory::meet(const Surface& surface, const Vec3& position, core::PhotonRng& rng) const {
@@ -130,7 +136,7 @@ void PhotonHistory::escape(const Walk& walk, BatchSums& sums) const {
 
 bool PhotonHistory::step(Walk& walk, core::PhotonRng& rng, BatchSums& sums) const {
   Photon& photon = walk.photon;
-  const RayHit hit = next_hit(photon);
+  const RayHit hit = next_hit(walk);
   if (!consistent(photon, hit)) {
     sums.energy[scene_.energy.lost_bin(LossReason::kLeak)] += 1.0;
     return false;
@@ -175,6 +181,7 @@ bool PhotonHistory::step(Walk& walk, core::PhotonRng& rng, BatchSums& sums) cons
     sums.energy[scene_.energy.lost_bin(LossReason::kInvalid)] += 1.0;
     return false;
   }
+  walk.corner = hit.distance <= kSamePoint ? photon.quad : -1;
   photon.position = hit.position;
   photon.quad = hit.quad;
   if (surface.body >= 0 && crosses) photon.body = photon.body >= 0 ? -1 : surface.body;

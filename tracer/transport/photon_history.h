@@ -24,6 +24,7 @@ class PhotonHistory {
     Photon photon;
     double optical_depth = 0.0;  ///< left until bulk absorption
     int events = 0;              ///< survived so far
+    int corner = -1;             ///< the quad met before the photon's last, if both were met at one point; else -1
     bool estimated = false;      ///< the last event was a scatter whose way out was estimated
   };
   /// A photon as it leaves its source.
@@ -43,8 +44,9 @@ class PhotonHistory {
 
   Photon emit(core::PhotonRng& rng) const;
   /// Nearest surface: of the few faces of the body that the photon is in, else by the ray caster. A hit of the latter
-  /// that contradicts where the photon is, is searched for anew in double precision.
-  RayHit next_hit(const Photon& photon) const;
+  /// that contradicts where the photon is, is searched for anew in double precision; so is one that leads back and forth
+  /// in a corner, where a point lies on both quads and a ray away from one seems to meet it.
+  RayHit next_hit(const Walk& walk) const;
   /// Can the photon meet this quad next? Bodies are convex: from inside only their own faces can be met, from the
   /// inside; from a face outwards, none of the same body.
   bool can_meet(const Photon& photon, int quad) const;

@@ -82,6 +82,16 @@ TEST(RayCaster, ClosedBoxDoesNotLeak) {
   }
 }
 
+/// Next to a wall that single precision cannot tell from the origin, but going away from it: the wall is not met again,
+/// or a photon would be trapped in the corner of two mirrors.
+TEST(RayCaster, WhatLiesBehindIsNotMet) {
+  const Box room{{-0.001, -0.001, -0.05}, {2000.001, 1000.001, 0.05}};
+  const RayCaster caster(sides_of(room));
+  const Vec3 origin(919.091808205, 1000.00097229, 0.05);
+  const Vec3 k = Vec3(-0.197242984, -0.432380279, -0.879853681).normalized();
+  EXPECT_EQ(caster.nearest(origin, k, static_cast<int>(Side::kTop)).quad, static_cast<int>(Side::kBottom));
+}
+
 TEST(RayCaster, ExactSearchAgreesAndKeepsToTheAllowed) {
   const RayCaster caster(sides_of(kPlate));
   std::mt19937_64 generator(9);

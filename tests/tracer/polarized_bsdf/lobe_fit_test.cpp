@@ -171,6 +171,16 @@ TEST(LobeFit, SaysWhatTheReadingsDoNotTell) {
   }
 }
 
+TEST(LobeFit, HoldsTheThroughput) {
+  LobeFitOptions options;
+  options.throughput = 0.85;
+  const LobeFit fit = fit_lobes(reflection(), transmission(), options);
+  EXPECT_DOUBLE_EQ(fit.setup.throughput, 0.85);
+  EXPECT_EQ(fit.degrees_of_freedom, 144 - 19);
+  for (const FittedValue& value : fit.values) EXPECT_EQ(value.se == 0.0, value.key == "throughput") << value.key;
+  for (const std::string& remark : fit.remarks) EXPECT_EQ(remark.find("throughput"), std::string::npos) << remark;
+}
+
 TEST(LobeFit, RefusesTooFewReadings) {
   LuminanceTable few = reflection(), none = transmission();
   few.rows.resize(15);
