@@ -62,6 +62,20 @@ TEST(PhotonHistory, GivesUpAPhotonThatNeverEnds) {
   EXPECT_EQ(sums.events[0], static_cast<double>(PhotonHistory::kMaxEvents));
 }
 
+/// Corners of perfect mirrors far from the origin, where single precision has steps of 0.001 mm: no photon is caught
+/// between wall and film.
+TEST(PhotonHistory, CornersOfMirrorsAreNoTraps) {
+  const std::string mirror = "{kind: mirror, reflectance: 1, gap_mm: 0.001}";
+  for (const char* bottom : {"white", "mirror"}) {
+    const Traced traced(std::string("size: {length_mm: 9999, width_mm: 9999}, reflectors: {bottom: {kind: ") + bottom +
+                            ", reflectance: 0.9}, left: " + mirror + ", right: " + mirror + ", front: " + mirror +
+                            ", back: " + mirror +
+                            "}, films: [{kind: dbef}], sources: [{kind: lambertian_face, face: right}]",
+                        {10'000, 1, 10, 1});
+    EXPECT_EQ(traced.lost(), 0.0) << bottom;
+  }
+}
+
 /// Beer-Lambert: a beam through 10 mm of an index next to 1.
 TEST(PhotonHistory, BulkAbsorption) {
   for (const double per_m : {0.0, 20.0, 200.0}) {
