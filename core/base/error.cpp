@@ -31,8 +31,8 @@ ConfigError::ConfigError(std::vector<Fault> faults) : Error(joined(faults)), fau
 
 void expects(bool condition, std::string_view promise, std::source_location where) {
   if (condition) return;
-  throw Error(std::string(where.file_name()) + ':' + std::to_string(where.line()) + ": broken promise: " +
-              std::string(promise));
+  throw Error(std::string(where.file_name()) + ':' + std::to_string(where.line()) +
+              ": broken promise: " + std::string(promise));
 }
 
 }  // namespace evenglow::core

@@ -17,8 +17,8 @@ class Error : public std::runtime_error {
 /// One fault of the input, told in one line: `file:line:column: key: what is allowed, what was given`.
 struct Fault {
   std::string file;
-  int line = 0;    ///< from 1; 0: not known (an option of the command line, a whole file)
-  int column = 0;  ///< from 1; 0: not known
+  int line = 0;         ///< from 1; 0: not known (an option of the command line, a whole file)
+  int column = 0;       ///< from 1; 0: not known
   std::string key;      ///< path of the key (`backlight.films[1].axis_deg`), empty for the file as a whole
   std::string message;  ///< what is allowed, what was given
 

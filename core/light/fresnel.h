@@ -9,10 +9,10 @@ namespace evenglow::core {
 /// incidence (Born & Wolf, Principles of Optics, 1.5.2).
 struct FresnelFace {
   bool total_reflection = false;
-  double cos_transmitted = 0.0;     ///< of the refracted ray; 0 in total reflection
-  std::complex<double> r_s, r_p;    ///< amplitude reflection, signed; |r| = 1 with a phase in total reflection
-  double t_s = 0.0, t_p = 0.0;      ///< amplitude transmission, signed; 0 in total reflection
-  double transmitted_power = 0.0;   ///< factor (n2 cos t) / (n1 cos i) that turns |t|^2 into a share of the power
+  double cos_transmitted = 0.0;    ///< of the refracted ray; 0 in total reflection
+  std::complex<double> r_s, r_p;   ///< amplitude reflection, signed; |r| = 1 with a phase in total reflection
+  double t_s = 0.0, t_p = 0.0;     ///< amplitude transmission, signed; 0 in total reflection
+  double transmitted_power = 0.0;  ///< factor (n2 cos t) / (n1 cos i) that turns |t|^2 into a share of the power
 
   double reflectance_s() const { return std::norm(r_s); }
   double reflectance_p() const { return std::norm(r_p); }

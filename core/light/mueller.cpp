@@ -1,8 +1,9 @@
 #include "core/light/mueller.h"
 
-#include <Eigen/Eigenvalues>
 #include <cmath>
 #include <complex>
+
+#include <Eigen/Eigenvalues>
 
 namespace evenglow::core {
 

@@ -21,7 +21,8 @@ MuellerMatrix rotator(double angle);
 /// 1 for a pure diattenuator, less for scatter that also depolarizes.
 MuellerMatrix diattenuator(double t1, double t2, double kappa = 1.0);
 
-/// Linear retarder: E2 lags E1 by `retardance` (rad), fast axis along e1: with exp(-i w t), E2 -> E2 exp(+i retardance).
+/// Linear retarder: E2 lags E1 by `retardance` (rad), fast axis along e1: with exp(-i w t), E2 -> E2 exp(+i
+/// retardance).
 MuellerMatrix retarder(double retardance);
 
 /// diag(1, 1-d, 1-d, 1-d): depolarizes the share `d` in [0, 1].

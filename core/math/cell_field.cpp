@@ -98,7 +98,8 @@ CellField resample_bilinear(const CellField& field, const CellGrid& grid) {
       const int x1 = std::min(x + 1, from.nx - 1);
       const auto value = [&](int i, int j) { return field.values[static_cast<std::size_t>(j * from.nx + i)]; };
       result.values[static_cast<std::size_t>(iy * grid.nx + ix)] =
-          (1.0 - fy) * ((1.0 - fx) * value(x, y) + fx * value(x1, y)) + fy * ((1.0 - fx) * value(x, y1) + fx * value(x1, y1));
+          (1.0 - fy) * ((1.0 - fx) * value(x, y) + fx * value(x1, y)) +
+          fy * ((1.0 - fx) * value(x, y1) + fx * value(x1, y1));
     }
   }
   return result;

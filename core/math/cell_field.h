@@ -18,7 +18,7 @@ struct CellGrid {
   static CellGrid over(int nx, int ny, double x0, double y0, double x1, double y1);
 
   std::size_t size() const { return static_cast<std::size_t>(nx) * static_cast<std::size_t>(ny); }
-  double cell_area() const { return dx * dy; }                 ///< mm2
+  double cell_area() const { return dx * dy; }                    ///< mm2
   double center_x(int ix) const { return x0 + (ix + 0.5) * dx; }  ///< mm
   double center_y(int iy) const { return y0 + (iy + 0.5) * dy; }  ///< mm
   /// Index of the cell that holds the point, or -1 outside.
@@ -50,8 +50,8 @@ CellField resample_nearest(const CellField& field, const CellGrid& grid);
 /// The field on another grid, bilinear between the centers of its cells, constant beyond the outermost centers.
 CellField resample_bilinear(const CellField& field, const CellGrid& grid);
 
-/// The field smoothed by a Gaussian of `sigma_x` and `sigma_y` (in cells; 0: not smoothed in that direction), reflecting
-/// at the borders, so that the sum of the values is kept.
+/// The field smoothed by a Gaussian of `sigma_x` and `sigma_y` (in cells; 0: not smoothed in that direction),
+/// reflecting at the borders, so that the sum of the values is kept.
 CellField smooth_gaussian(const CellField& field, double sigma_x, double sigma_y);
 inline CellField smooth_gaussian(const CellField& field, double sigma) {
   return smooth_gaussian(field, sigma, sigma);

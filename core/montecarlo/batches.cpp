@@ -1,11 +1,11 @@
 #include "core/montecarlo/batches.h"
 
+#include <atomic>
+#include <ctime>
+
 #include <tbb/info.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
-
-#include <atomic>
-#include <ctime>
 
 #include "core/base/error.h"
 

@@ -1,8 +1,8 @@
 #pragma once
 
-#include <Random123/philox.h>
-
 #include <cstdint>
+
+#include <Random123/philox.h>
 
 namespace evenglow::core {
 

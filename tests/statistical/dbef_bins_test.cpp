@@ -96,9 +96,9 @@ Counts traced(const Bsdf& film, const core::StokesVector& light, const AxisBins&
 
 class DbefBinsLong : public testing::TestWithParam<double> {};
 
-// 2400 to 3200 bins expect 20 photons or more: chi-square per degree of freedom has a spread below 0.03, so 1 +- 0.08 is
-// passed by chance once in 130 cases; R and T within 3 standard errors, once in 370 each. Together 13 % over nine cases
-// on a new seed; the seeds are fixed.
+// 2400 to 3200 bins expect 20 photons or more: chi-square per degree of freedom has a spread below 0.03, so 1 +- 0.08
+// is passed by chance once in 130 cases; R and T within 3 standard errors, once in 370 each. Together 13 % over nine
+// cases on a new seed; the seeds are fixed.
 TEST_P(DbefBinsLong, EveryBinHasItsLuminance) {
   const double sigma = GetParam() * kRad;
   const TabulatedDbef film = tests::data_dbef(25.0 * kRad);

@@ -15,19 +15,15 @@ namespace evenglow::tracer {
 /// | dbef | table | polarized BSDF table; without it the film is specular | none |
 /// |  | hemispherical | with `table`: totals that the table is normalized to | none: its own |
 /// |  | wavelength_nm | with `table`: wavelength that it is read at | 550 |
-/// |  | model | instead of `table`: map of the semi-empirical model's parameters (dbef_data.h); `{}` is the fitted DBEF | none |
-/// |  | transmittance_pass, reflectance_pass | without `table` or `model`: along the pass axis, sum at most 1 | 1, 0 |
-/// |  | transmittance_block, reflectance_block | likewise along the block axis, sum at most 1 | 0, 1 |
-/// | lpp | k1, k2 | transmittance along the pass and the block axis | 0.8596, 0.0004 |
-/// |  | reflectance | of any light; k1 + reflectance at most 1 | 0.04 |
-/// | diffuser | transmittance, reflectance | totals, sum at most 1 | 0.9, 0.1 |
-/// |  | haze | share of the transmitted light that is scattered | 1 |
-/// |  | lobe | gaussian or lambertian | gaussian |
-/// |  | fwhm_deg | gaussian: full width at half maximum of the luminance lobe at normal incidence, [1, 150] | 40 |
-/// |  | depolarization | of scattered light, [0, 1] | 0 |
-/// | sheet | refractive_index | [1.0001, 4] | 1.5 |
-/// |  | absorption_per_m | bulk, 1/m | 0 |
-/// |  | thickness_mm | [0.001, 100] | 0.1 |
+/// |  | model | instead of `table`: map of the semi-empirical model's parameters (dbef_data.h); `{}` is the fitted DBEF
+/// | none | |  | transmittance_pass, reflectance_pass | without `table` or `model`: along the pass axis, sum at most 1
+/// | 1, 0 | |  | transmittance_block, reflectance_block | likewise along the block axis, sum at most 1 | 0, 1 | | lpp |
+/// k1, k2 | transmittance along the pass and the block axis | 0.8596, 0.0004 | |  | reflectance | of any light; k1 +
+/// reflectance at most 1 | 0.04 | | diffuser | transmittance, reflectance | totals, sum at most 1 | 0.9, 0.1 | |  |
+/// haze | share of the transmitted light that is scattered | 1 | |  | lobe | gaussian or lambertian | gaussian | |  |
+/// fwhm_deg | gaussian: full width at half maximum of the luminance lobe at normal incidence, [1, 150] | 40 | |  |
+/// depolarization | of scattered light, [0, 1] | 0 | | sheet | refractive_index | [1.0001, 4] | 1.5 | |  |
+/// absorption_per_m | bulk, 1/m | 0 | |  | thickness_mm | [0.001, 100] | 0.1 |
 Film make_dbef(const core::ConfigNode& node);
 Film make_lpp(const core::ConfigNode& node);
 Film make_diffuser(const core::ConfigNode& node);

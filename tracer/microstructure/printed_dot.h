@@ -6,7 +6,8 @@
 namespace evenglow::tracer {
 
 /// Dot of white ink in optical contact with the face: light that meets it, from inside the plate or from outside, is
-/// scattered back Lambertian and unpolarized. The chance of a hit is the local area coverage (Lee et al., Opt. Eng. 44, 014004, 2005).
+/// scattered back Lambertian and unpolarized. The chance of a hit is the local area coverage (Lee et al., Opt. Eng. 44,
+/// 014004, 2005).
 ///
 /// | key | meaning | default |
 /// | --- | --- | --- |

@@ -10,8 +10,9 @@ namespace evenglow::tracer {
 
 /// Light that leaves a surface after one interaction.
 struct BsdfSample {
-  core::StokesVector light;  ///< direction in light.frame.k; I equals that of the incident light (the share is in the odds)
-  bool specular = false;     ///< a direction of its own (mirror, straight passage): `evaluate` does not hold it
+  core::StokesVector
+      light;  ///< direction in light.frame.k; I equals that of the incident light (the share is in the odds)
+  bool specular = false;  ///< a direction of its own (mirror, straight passage): `evaluate` does not hold it
 };
 
 /// What a surface does to polarized light, in the surface's own frame: normal +z, x the reference axis of a film (laid
@@ -57,7 +58,7 @@ struct TangentialFrame {
   double sign = 1.0;              ///< multiplies U and V between the right-handed frame and the film's count
   double azimuth_cos = 1.0;       ///< h = (azimuth_cos, azimuth_sin, 0)
   double azimuth_sin = 0.0;
-  double sin_polar = 0.0;         ///< of the angle between ray and normal
+  double sin_polar = 0.0;  ///< of the angle between ray and normal
 };
 TangentialFrame tangential_frame(const core::Vec3& k);
 

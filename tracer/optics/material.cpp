@@ -10,8 +10,8 @@ namespace {
 
 struct OnePoleMaterial {
   const char* name;
-  double strength;      // n^2 - 1 = strength l^2 / (l^2 - pole)
-  double pole;          // um^2
+  double strength;  // n^2 - 1 = strength l^2 / (l^2 - pole)
+  double pole;      // um^2
   double loss_per_m;
 };
 

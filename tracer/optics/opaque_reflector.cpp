@@ -8,8 +8,8 @@ namespace evenglow::tracer {
 core::StokesVector mirrored(const core::StokesVector& incident) {
   const core::Vec3& k = incident.frame.k;
   const core::Vec3& e1 = incident.frame.e1;
-  // The field's tangential part is kept in the count: e1 is mirrored with k, and the mirror turns the handedness, so U and
-  // V, counted in the new right-handed frame, change sign.
+  // The field's tangential part is kept in the count: e1 is mirrored with k, and the mirror turns the handedness, so U
+  // and V, counted in the new right-handed frame, change sign.
   const core::PolarizationFrame out{{k.x(), k.y(), -k.z()}, {e1.x(), e1.y(), -e1.z()}};
   return {incident.I, incident.Q, -incident.U, -incident.V, out};
 }

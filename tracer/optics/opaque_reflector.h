@@ -4,9 +4,9 @@
 
 namespace evenglow::tracer {
 
-/// An opaque sheet that looks the same from both sides: reflects the share `reflectance`, of it the share `specular` as a
-/// mirror that keeps the polarization, the rest Lambertian and depolarized (volume scatter forgets the polarization). White
-/// sheets, mirrors, printed dots, LED windows and frames are of this kind.
+/// An opaque sheet that looks the same from both sides: reflects the share `reflectance`, of it the share `specular` as
+/// a mirror that keeps the polarization, the rest Lambertian and depolarized (volume scatter forgets the polarization).
+/// White sheets, mirrors, printed dots, LED windows and frames are of this kind.
 class OpaqueReflector final : public Bsdf {
  public:
   /// Both in [0, 1].

@@ -131,7 +131,8 @@ std::vector<ResampledPoint> Resampler::resampled(ScatterKind kind, double psi, d
 
 /// Linear interpolation between exact values lies above a convex function: f'' h^2 / 12 on average over an interval.
 /// Taking that off each line's value makes the mean error vanish and more than halves its RMS (what is left is the
-/// least-squares fit of a piecewise linear function). Along u; S is even in u, so the line beyond u = 0 is the first one.
+/// least-squares fit of a piecewise linear function). Along u; S is even in u, so the line beyond u = 0 is the first
+/// one.
 void Resampler::unbias(std::vector<ResampledPoint>& points) const {
   std::vector<double> S(shape_.u + 1);
   for (std::size_t k = 0; k < shape_.phi; ++k) {

@@ -27,12 +27,13 @@ double AngularReceiver::projected_solid_angle(int polar) const {
   return core::kPi * (s1 * s1 - s0 * s0) / azimuth_count_;
 }
 
-std::vector<core::Estimate> make_angular_luminance(const AngularReceiver& receiver, const core::Tally& tally, double flux,
-                                                   std::uint64_t photons, double area) {
+std::vector<core::Estimate> make_angular_luminance(const AngularReceiver& receiver, const core::Tally& tally,
+                                                   double flux, std::uint64_t photons, double area) {
   std::vector<core::Estimate> result;
   for (std::size_t bin = 0; bin < tally.bins(); ++bin) {
     const int polar = static_cast<int>(bin) / receiver.azimuth_count();
-    const double factor = flux / static_cast<double>(photons) / (area * receiver.projected_solid_angle(polar)) * core::kCandelaPerM2;
+    const double factor =
+        flux / static_cast<double>(photons) / (area * receiver.projected_solid_angle(polar)) * core::kCandelaPerM2;
     const core::Estimate count = tally.total(bin);
     result.push_back({factor * count.value, factor * count.se});
   }

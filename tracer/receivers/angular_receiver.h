@@ -31,7 +31,7 @@ class AngularReceiver final : public Receiver {
 };
 
 /// Luminance of each bin averaged over `area` (mm2), cd/m2, index polar * azimuth_count + azimuth.
-std::vector<core::Estimate> make_angular_luminance(const AngularReceiver& receiver, const core::Tally& tally, double flux,
-                                                   std::uint64_t photons, double area);
+std::vector<core::Estimate> make_angular_luminance(const AngularReceiver& receiver, const core::Tally& tally,
+                                                   double flux, std::uint64_t photons, double area);
 
 }  // namespace evenglow::tracer

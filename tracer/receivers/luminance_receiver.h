@@ -9,8 +9,8 @@
 
 namespace evenglow::tracer {
 
-/// How the luminance is estimated. `kCounting`: every photon that leaves within the cone. `kNextEvent`: at each scatter in
-/// the topmost scattering film, the expected share that leaves in a direction drawn from the cone; photons that pass
+/// How the luminance is estimated. `kCounting`: every photon that leaves within the cone. `kNextEvent`: at each scatter
+/// in the topmost scattering film, the expected share that leaves in a direction drawn from the cone; photons that pass
 /// that film straight are counted, so that the sum is unbiased.
 enum class LuminanceEstimator { kCounting, kNextEvent };
 

@@ -9,13 +9,13 @@ namespace {
 
 struct BeamKeys {
   Side face = Side::kBottom;
-  double angle = 0.0;    // rad
-  double plane = 0.0;    // rad
+  double angle = 0.0;  // rad
+  double plane = 0.0;  // rad
   std::string polarization;
   double azimuth = 0.0;  // rad
   double size_share = 0.2;
-  double gap = 0.0;      // mm
-  double flux = 100.0;   // lm
+  double gap = 0.0;     // mm
+  double flux = 100.0;  // lm
 };
 
 class Beam final : public Source {
@@ -64,16 +64,26 @@ class Beam final : public Source {
 SourceSpec make_beam(const core::ConfigNode& node) {
   using core::Range;
   BeamKeys keys;
-  keys.face = read_side(
-      node, {"face", "face that is lit", {"left", "right", "front", "back", "bottom", "top"}, "bottom"});
+  keys.face =
+      read_side(node, {"face", "face that is lit", {"left", "right", "front", "back", "bottom", "top"}, "bottom"});
   keys.angle = node.number({"angle_deg", "angle of incidence", {0, 90, false, true}, 0.0});
-  keys.plane = node.number({"plane_deg", "azimuth of the plane of incidence, from x (from y for left and right)", {0, 360, false, true}, 0.0});
-  keys.polarization = node.choice({"polarization", "state of polarization; circular is right", {"none", "linear", "circular"}, "none"});
-  keys.azimuth = node.number({"azimuth_deg", "direction of the field of linear light, from the plane of incidence (0: p, 90: s)", {0, 360, false, true}, 0.0});
-  keys.size_share = node.number({"size_share", "lit share of the face's length and width, around its center", {0, 1, true, false}, 0.2});
+  keys.plane = node.number({"plane_deg",
+                            "azimuth of the plane of incidence, from x (from y for left and right)",
+                            {0, 360, false, true},
+                            0.0});
+  keys.polarization =
+      node.choice({"polarization", "state of polarization; circular is right", {"none", "linear", "circular"}, "none"});
+  keys.azimuth = node.number({"azimuth_deg",
+                              "direction of the field of linear light, from the plane of incidence (0: p, 90: s)",
+                              {0, 360, false, true},
+                              0.0});
+  keys.size_share = node.number(
+      {"size_share", "lit share of the face's length and width, around its center", {0, 1, true, false}, 0.2});
   keys.gap = node.number({"gap_mm", "air between source and face", Range::closed(0, 100), 0.0});
   keys.flux = node.number({"flux_lm", "luminous flux", Range::positive(1e9), 100.0});
-  return {"beam", keys.face, [=](const SourcePlace& place) -> SourcePointer { return std::make_unique<Beam>(keys, place.lit(keys.face)); }};
+  return {"beam", keys.face, [=](const SourcePlace& place) -> SourcePointer {
+            return std::make_unique<Beam>(keys, place.lit(keys.face));
+          }};
 }
 
 }  // namespace evenglow::tracer

@@ -4,7 +4,8 @@
 
 namespace evenglow::tracer {
 
-/// Natural light, uniform and Lambertian over a whole face of the backlight, in air; light passes through it unhindered.
+/// Natural light, uniform and Lambertian over a whole face of the backlight, in air; light passes through it
+/// unhindered.
 ///
 /// | key | meaning | default |
 /// | --- | --- | --- |

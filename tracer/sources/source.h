@@ -62,8 +62,8 @@ const core::Registry<SourceSpec>& source_registry();
 /// The key `edge` or `face` as a side.
 Side read_side(const core::ConfigNode& node, const core::ChoiceKey& key);
 
-/// Local axes of a side: a, b in its plane (`a` along y for left/right, along x otherwise; b along z, or y for bottom/top), and
-/// the inward normal.
+/// Local axes of a side: a, b in its plane (`a` along y for left/right, along x otherwise; b along z, or y for
+/// bottom/top), and the inward normal.
 struct SideAxes {
   core::Vec3 a, b, inward;
 };

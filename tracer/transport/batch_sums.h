@@ -9,9 +9,9 @@ namespace evenglow::tracer {
 
 /// Sums of one batch for each receiver; a batch writes only its own.
 struct BatchSums {
-  std::vector<double> luminance;  ///< scores, 1/sr
-  std::vector<double> energy;     ///< photons
-  std::vector<double> angular;    ///< photons
+  std::vector<double> luminance;    ///< scores, 1/sr
+  std::vector<double> energy;       ///< photons
+  std::vector<double> angular;      ///< photons
   std::vector<double> events{0.0};  ///< surface interactions
 
   explicit BatchSums(const Scene& scene)

@@ -1,7 +1,8 @@
 #include "tracer/transport/next_event.h"
 
-#include <Eigen/LU>
 #include <cmath>
+
+#include <Eigen/LU>
 
 #include "core/math/sampling.h"
 #include "tracer/optics/dielectric_face.h"

@@ -14,8 +14,8 @@ class NextEvent {
  public:
   explicit NextEvent(const Scene& scene);
 
-  /// Directions of view drawn at each scatter: what they cost is small beside the walk, and where the lobe of the film is about as wide as
-  /// the cone they take out most of the spread that one direction has.
+  /// Directions of view drawn at each scatter: what they cost is small beside the walk, and where the lobe of the film
+  /// is about as wide as the cone they take out most of the spread that one direction has.
   static constexpr int kDirections = 4;
 
   /// Score (1/sr) and bin for light that meets the scatterer `surface` at `position`; the direction of view is drawn

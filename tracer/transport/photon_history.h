@@ -44,8 +44,8 @@ class PhotonHistory {
 
   Photon emit(core::PhotonRng& rng) const;
   /// Nearest surface: of the few faces of the body that the photon is in, else by the ray caster. A hit of the latter
-  /// that contradicts where the photon is, is searched for anew in double precision; so is one that leads back and forth
-  /// in a corner, where a point lies on both quads and a ray away from one seems to meet it.
+  /// that contradicts where the photon is, is searched for anew in double precision; so is one that leads back and
+  /// forth in a corner, where a point lies on both quads and a ray away from one seems to meet it.
   RayHit next_hit(const Walk& walk) const;
   /// Can the photon meet this quad next? Bodies are convex: from inside only their own faces can be met, from the
   /// inside; from a face outwards, none of the same body.

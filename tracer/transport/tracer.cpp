@@ -1,10 +1,10 @@
 #include "tracer/transport/tracer.h"
 
-#include <fmt/core.h>
-
 #include <memory>
 #include <mutex>
 #include <vector>
+
+#include <fmt/core.h>
 
 #include "core/base/error.h"
 #include "core/montecarlo/batches.h"
@@ -34,10 +34,12 @@ void check_lost(const Scene& scene, const TraceResult& result) {
 
 TraceSpec read_trace(const core::ConfigNode& node) {
   TraceSpec spec;
-  spec.photons = static_cast<std::uint64_t>(
-      node.count({"photons", "photons of the final trace, and of the largest design step", 1000, 1'000'000'000'000, 20'000'000}));
-  spec.seed = static_cast<std::uint64_t>(node.integer({"seed", "seed of the random numbers", 0, std::numeric_limits<long long>::max(), 1}));
-  spec.batches = static_cast<std::size_t>(node.integer({"batches", "equal parts of a trace, from whose spread the standard errors come", 10, 1000, 100}));
+  spec.photons = static_cast<std::uint64_t>(node.count(
+      {"photons", "photons of the final trace, and of the largest design step", 1000, 1'000'000'000'000, 20'000'000}));
+  spec.seed = static_cast<std::uint64_t>(
+      node.integer({"seed", "seed of the random numbers", 0, std::numeric_limits<long long>::max(), 1}));
+  spec.batches = static_cast<std::size_t>(
+      node.integer({"batches", "equal parts of a trace, from whose spread the standard errors come", 10, 1000, 100}));
   spec.photons = whole_batches(spec.photons, spec.batches);
   return spec;
 }
@@ -68,8 +70,12 @@ std::optional<TraceResult> trace(const Scene& scene, const DensityField& density
       },
       options.stop);
   if (!complete || options.stop.stop_requested()) return std::nullopt;
-  TraceResult result{options.photons, scene.flux, core::Tally(scene.luminance.bins()), core::Tally(scene.energy.bins()),
-                     core::Tally(scene.angular ? scene.angular->bins() : 0), 0.0};
+  TraceResult result{options.photons,
+                     scene.flux,
+                     core::Tally(scene.luminance.bins()),
+                     core::Tally(scene.energy.bins()),
+                     core::Tally(scene.angular ? scene.angular->bins() : 0),
+                     0.0};
   for (auto& batch : sums) {
     result.luminance.add_batch(std::move(batch->luminance));
     result.energy.add_batch(std::move(batch->energy));

@@ -25,7 +25,7 @@ TraceSpec read_trace(const core::ConfigNode& trace);
 /// The numbers of one trace: a Tally for each receiver.
 struct TraceResult {
   std::uint64_t photons = 0;
-  double flux = 0.0;     ///< lm that the photons share
+  double flux = 0.0;      ///< lm that the photons share
   core::Tally luminance;  ///< scores, 1/sr
   core::Tally energy;     ///< photons
   core::Tally angular;    ///< photons
@@ -47,7 +47,8 @@ struct TraceOptions {
 /// The next multiple of `batches` that is not less than `photons`.
 std::uint64_t whole_batches(std::uint64_t photons, std::size_t batches);
 
-/// Traces all photons. Empty if it was stopped. Throws Error if more than 1e-6 of the photons (and more than 10) were lost.
+/// Traces all photons. Empty if it was stopped. Throws Error if more than 1e-6 of the photons (and more than 10) were
+/// lost.
 std::optional<TraceResult> trace(const Scene& scene, const DensityField& density, const TraceOptions& options);
 
 }  // namespace evenglow::tracer
