@@ -146,9 +146,11 @@ DesignProgress run_design(const ForwardModel& model, const DesignSpec& spec, con
     if (step == 0) progress.start_luminance = state.observation.map.luminance;
     Proposal proposal = updater->propose(state, spec);
     const bool trusted = record.rms_corrected.se <= 0.5 * std::max(record.rms_corrected.value, spec.stop_rms);
-    if (step == 0 || (trusted && record.rms_corrected.value < progress.best_rms + record.rms_corrected.se) ||
-        reached(record, spec)) {
-      progress.best_rms = trusted || reached(record, spec) ? record.rms_corrected.value : kNoneYet;
+    const double value = record.rms_corrected.value;
+    const double se = record.rms_corrected.se;
+    const bool clearly_better = value + 2.0 * se < progress.best_rms;
+    if (step == 0 || clearly_better || (trusted && value < progress.best_rms + se) || reached(record, spec)) {
+      progress.best_rms = trusted || clearly_better ? std::max(value, 0.0) : kNoneYet;
       progress.best_density = state.density;
     }
     tell_limits(proposal, spec, progress);
