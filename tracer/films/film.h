@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -16,6 +17,12 @@ struct DielectricSheet {
   double thickness = 0.1;   ///< mm
 };
 
+/// What a film is to light of one wavelength: one of the two.
+struct FilmOptics {
+  std::unique_ptr<const Bsdf> surface;
+  std::optional<DielectricSheet> sheet;
+};
+
 /// One film of the stack above the plate: a thin surface, or a sheet with a body.
 struct Film {
   std::string kind;
@@ -23,6 +30,8 @@ struct Film {
   double axis = 0.0;                    ///< rad in [0, pi): pass axis from +x towards +y; 0 where the kind has none
   std::unique_ptr<const Bsdf> surface;  ///< in the plate's frame, its axis applied; null for a sheet
   std::optional<DielectricSheet> sheet;
+  /// The film at another wavelength (nm); empty: `surface` or `sheet` at every wavelength. Those hold for 550 nm.
+  std::function<FilmOptics(double)> at_wavelength;
   std::vector<std::string> remarks;  ///< what its data needed, one sentence each, for the user
 };
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <string>
 
@@ -11,7 +12,8 @@ namespace evenglow::tracer {
 /// A shape of the pattern: what a photon meets with the odds of the local density.
 struct Microstructure {
   std::string kind;
-  std::unique_ptr<const Bsdf> surface;
+  /// Its optics on a plate of this refractive index, normal out of the plate.
+  std::function<std::unique_ptr<const Bsdf>(double)> optics;
 };
 
 /// One line for each shape; a maker reads the shape's keys from the node `backlight.microstructure`.

@@ -41,6 +41,10 @@ class Bsdf {
   /// Has it a non-specular part?
   virtual bool scatters() const = 0;
 
+  /// Does it send light into directions of its own that neither `evaluate` nor `specular` tells (a prism film)? What
+  /// such a surface sends to a viewer can only be counted.
+  virtual bool redirects() const { return false; }
+
   /// Specular transmission and reflection of light that travels along k, as Mueller matrices between tangential frames
   /// (`tangential_frame`). Zero where there is none.
   struct Specular {

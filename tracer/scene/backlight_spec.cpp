@@ -181,11 +181,15 @@ core::CellGrid active_area(const ConfigNode& node, const Box& area, std::pair<in
   return core::CellGrid::over(cells.first, cells.second, x0, y0, x1, y1);
 }
 
-/// What a film sends to the viewer must not be shut off by a sheet above it.
+/// What the topmost scattering film sends to the viewer must not be shut off by a sheet above it, nor turned aside by a
+/// prism film.
 bool next_event_works(const BacklightSpec& spec) {
   if (spec.reflectors[static_cast<std::size_t>(Side::kTop)]) return false;
-  return std::any_of(spec.films.begin(), spec.films.end(),
-                     [](const Film& film) { return film.surface && film.surface->scatters(); });
+  const auto decides = [](const Film& film) {
+    return film.surface && (film.surface->scatters() || film.surface->redirects());
+  };
+  const auto top = std::find_if(spec.films.rbegin(), spec.films.rend(), decides);
+  return top != spec.films.rend() && top->surface->scatters() && !top->surface->redirects();
 }
 
 void read_luminance(const ConfigNode& node, BacklightSpec& spec) {
@@ -199,9 +203,10 @@ void read_luminance(const ConfigNode& node, BacklightSpec& spec) {
                    {"auto", "next_event", "counting"},
                    "auto"});
   if (estimator == "next_event" && spec.luminance.estimator == LuminanceEstimator::kCounting) {
-    node.fault_at(
-        "estimator",
-        "next_event needs a film that scatters (diffuser or a dbef with a table) and no reflector at the top");
+    node.fault_at("estimator",
+                  "next_event needs a film that scatters (diffuser or a dbef with a table), and above it neither a "
+                  "prism film nor a "
+                  "reflector at the top");
   }
   if (estimator == "counting") spec.luminance.estimator = LuminanceEstimator::kCounting;
 }

@@ -87,7 +87,8 @@ class SceneBuilder {
              part("light_guide_plate"));
     if (!spec_.microstructure) return;
     Surface& face = surfaces_[static_cast<std::size_t>(spec_.microstructure->face)];
-    face.pattern = spec_.microstructure->shape.surface.get();
+    faces_.push_back(spec_.microstructure->shape.optics(spec_.plate->material.refractive_index));
+    face.pattern = faces_.back().get();
     face.pattern_part = part("microstructure");
   }
 

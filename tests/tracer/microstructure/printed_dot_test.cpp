@@ -44,7 +44,7 @@ TEST(PrintedDot, DefaultsAndFaults) {
   const tracer::BacklightSpec spec = backlight_of(plate_with("density: 0.3", "bottom", "top"));
   ASSERT_TRUE(spec.microstructure);
   EXPECT_EQ(spec.microstructure->shape.kind, "printed_dot");
-  EXPECT_TRUE(spec.microstructure->shape.surface->scatters());
+  EXPECT_TRUE(spec.microstructure->shape.optics(1.49)->scatters());
   EXPECT_THROW(backlight_of(plate_with("reflectance: 1.5", "bottom", "top")), core::ConfigError);
 }
 
