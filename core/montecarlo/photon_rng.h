@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <bit>
 #include <cstdint>
 
 #include <Random123/philox.h>
@@ -13,31 +15,36 @@ struct RandomKey {
   std::uint32_t step = 0;    ///< tells apart the traces of one design
 };
 
-/// Counter-based random numbers of one photon: Philox4x64-10 (Salmon et al., SC11), keyed by `RandomKey`, counted by
-/// photon index and draw. Period 2^64 draws a photon.
+/// Random numbers of one photon: xoshiro256+ (Blackman & Vigna, ACM Trans. Math. Softw. 47, 2021; made for numbers in
+/// the unit interval), its state drawn by Philox4x64-10 (Salmon et al., SC11), keyed by `RandomKey`, counted by photon
+/// index. So a photon's numbers can be had anywhere at any time, and each costs a few additions. Period 2^256 - 1; that
+/// the numbers of two of 1e12 photons overlap has odds below 1e-40.
 class PhotonRng {
  public:
-  PhotonRng(const RandomKey& key, std::uint64_t photon_index)
-      : counter_{{0, photon_index, 0, 0}},
-        key_{{key.seed, (static_cast<std::uint64_t>(key.stream) << 32) | key.step}} {}
+  PhotonRng(const RandomKey& key, std::uint64_t photon_index) {
+    const r123::Philox4x64::key_type philox_key{{key.seed, (static_cast<std::uint64_t>(key.stream) << 32) | key.step}};
+    const auto block = r123::Philox4x64()(r123::Philox4x64::ctr_type{{0, photon_index, 0, 0}}, philox_key);
+    for (unsigned i = 0; i < 4; ++i) state_[i] = block[i];
+    state_[0] |= static_cast<std::uint64_t>((state_[0] | state_[1] | state_[2] | state_[3]) == 0);  // 0 would stay 0
+  }
 
   /// Uniform in the open interval (0, 1), 53 bits.
-  double uniform() {
-    if (used_ == 4) refill();
-    return (static_cast<double>(block_[used_++] >> 11) + 0.5) * 0x1.0p-53;
-  }
+  double uniform() { return (static_cast<double>(next() >> 11) + 0.5) * 0x1.0p-53; }
 
  private:
-  void refill() {
-    block_ = r123::Philox4x64()(counter_, key_);
-    ++counter_[0];
-    used_ = 0;
+  std::uint64_t next() {
+    const std::uint64_t result = state_[0] + state_[3];
+    const std::uint64_t shifted = state_[1] << 17;
+    state_[2] ^= state_[0];
+    state_[3] ^= state_[1];
+    state_[1] ^= state_[2];
+    state_[0] ^= state_[3];
+    state_[2] ^= shifted;
+    state_[3] = std::rotl(state_[3], 45);
+    return result;
   }
 
-  r123::Philox4x64::ctr_type counter_;
-  r123::Philox4x64::key_type key_;
-  r123::Philox4x64::ctr_type block_{};
-  unsigned used_ = 4;
+  std::array<std::uint64_t, 4> state_;
 };
 
 }  // namespace evenglow::core

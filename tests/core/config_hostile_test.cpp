@@ -1,4 +1,5 @@
 #include <chrono>
+#include <ctime>
 #include <filesystem>
 #include <fstream>
 
@@ -148,13 +149,13 @@ constexpr double kPatience_s = 2;
 #endif
 
 TEST_P(Bombs, AreRefusedQuickly) {
-  const auto start = std::chrono::steady_clock::now();
+  const std::clock_t start = std::clock();  // CPU time: other work on the machine must not fail it
   const Lines faults = structure_faults(GetParam().text);
-  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
+  const double taken = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
   ASSERT_FALSE(faults.empty());
   EXPECT_THAT(faults.back(), HasSubstr(GetParam().fault));
   EXPECT_EQ(faults.back().find('\n'), std::string::npos);
-  EXPECT_LT(taken.count(), kPatience_s);
+  EXPECT_LT(taken, kPatience_s);
 }
 
 const char* const kTooMuch = "must not hold more than 1000000 line breaks and punctuation marks";

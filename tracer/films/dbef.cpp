@@ -1,5 +1,6 @@
 #include "tracer/films/dbef.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/base/units.h"
@@ -8,97 +9,141 @@
 
 namespace evenglow::tracer {
 
+using core::StokesVector;
+using core::Vec3;
+
+/// A direction in the tangential count (`tangential_frame`), in plain numbers: small matrices as temporaries would cost
+/// a third of a sample.
+struct TabulatedDbef::Ray {
+  double sign = 1.0;  ///< of k.z
+  double sine = 0.0;  ///< of the angle to the normal
+  double cosine = 1.0;
+  double azimuth_x = 1.0, azimuth_y = 0.0;
+
+  explicit Ray(const Vec3& k) : sign(k.z() >= 0.0 ? 1.0 : -1.0), cosine(std::abs(k.z())) {
+    const double sine2 = k.x() * k.x() + k.y() * k.y();
+    if (sine2 <= 1e-18) return;  // the azimuth is noise
+    sine = std::sqrt(sine2);
+    const double inverse = 1.0 / sine;
+    azimuth_x = k.x() * inverse;
+    azimuth_y = k.y() * inverse;
+  }
+
+  Vec3 e1() const { return {azimuth_x * cosine, azimuth_y * cosine, -sign * sine}; }
+  /// The film axis from the tangential direction.
+  double cos_psi(const core::Vec2& axis) const { return axis.x() * azimuth_x + axis.y() * azimuth_y; }
+  double sin_psi(const core::Vec2& axis) const { return axis.y() * azimuth_x - axis.x() * azimuth_y; }
+};
+
 /// Incident light as the film sees it.
 struct TabulatedDbef::Incidence {
-  TangentialFrame frame;
-  double psi = 0.0;  ///< rad in [0, pi)
-  double cos2_psi = 1.0, sin2_psi = 0.0;
+  Ray ray;
+  double psi = 0.0;           ///< rad in [0, pi)
   double cos2_sigma = 1.0;    ///< cos^2 of the angle of incidence
-  double power = 0.0;         ///< I
   double q1 = 0.0, q2 = 0.0;  ///< Q, U over I from the film's axis
   double v = 0.0;             ///< V / I
 };
 
+/// Light in the tangential count.
+struct TabulatedDbef::Light {
+  double I = 0.0, Q = 0.0, U = 0.0, V = 0.0;
+
+  void add(const Light& other, double weight) {
+    I += weight * other.I;
+    Q += weight * other.Q;
+    U += weight * other.U;
+    V += weight * other.V;
+  }
+  StokesVector stokes(const Ray& ray, const Vec3& k, double scale) const {
+    return {I * scale, Q * scale, ray.sign * U * scale, ray.sign * V * scale, {k, ray.e1()}};
+  }
+};
+
 TabulatedDbef::TabulatedDbef(const BsdfTable& table, double wavelength_nm, const HemisphericalTable* hemispherical,
                              double axis)
-    : bsdf_(table, wavelength_nm, hemispherical, kDbefIndex), axis_(axis) {}
+    : bsdf_(table, wavelength_nm, hemispherical, kDbefIndex), axis_(std::cos(axis), std::sin(axis)) {}
 
-TabulatedDbef::Incidence TabulatedDbef::incidence(const core::StokesVector& incident) const {
-  Incidence in;
-  in.frame = tangential_frame(incident.frame.k);
-  const double c = axis_.cos_psi(in.frame);
-  const double s = axis_.sin_psi(in.frame);
-  in.cos2_psi = c * c - s * s;
-  in.sin2_psi = 2.0 * c * s;
-  in.psi = std::atan2(s, c);
-  if (in.psi < 0.0) in.psi += core::kPi;
-  in.cos2_sigma = incident.frame.k.z() * incident.frame.k.z();
-  in.power = incident.I;
-  const Eigen::Vector4d film = to_film(incident, in.frame) / incident.I;
-  in.q1 = film[1] * in.cos2_psi + film[2] * in.sin2_psi;
-  in.q2 = film[2] * in.cos2_psi - film[1] * in.sin2_psi;
-  in.v = film[3];
+TabulatedDbef::Incidence TabulatedDbef::incidence(const StokesVector& light) const {
+  Incidence in{Ray(light.frame.k)};
+  const Vec3& e1 = light.frame.e1;
+  const double c = in.ray.cos_psi(axis_);
+  const double s = in.ray.sin_psi(axis_);
+  in.psi = bsdf_.incidences().psi_of(c, s);
+  in.cos2_sigma = light.frame.k.z() * light.frame.k.z();
+  // The light's frame turned to the tangential one (cosine and sine of the angle), and that to the film's axis.
+  const double turn_c = e1.dot(in.ray.e1());
+  const double turn_s = in.ray.sign * (in.ray.azimuth_y * e1.x() - in.ray.azimuth_x * e1.y());
+  const double scale = 1.0 / light.I;
+  const double c2 = turn_c * turn_c - turn_s * turn_s, s2 = 2.0 * turn_c * turn_s;
+  const double Q = (light.Q * c2 + light.U * s2) * scale;
+  const double U = in.ray.sign * (light.U * c2 - light.Q * s2) * scale;
+  const double film_c2 = c * c - s * s, film_s2 = 2.0 * c * s;
+  in.q1 = Q * film_c2 + U * film_s2;
+  in.q2 = U * film_c2 - Q * film_s2;
+  in.v = in.ray.sign * light.V * scale;
   return in;
 }
 
-/// Stokes vector in the outgoing tangential frame per unit incident power, in the unit of `response`.
-Eigen::Vector4d TabulatedDbef::outgoing(const Incidence& in, const SampledBsdf::Response& response, ScatterKind kind,
-                                        const TangentialFrame& out) const {
-  // Unit vector of the axis that is called tau_min's, and the signed tau_max - tau_min along it.
-  const bool reflected = kind == ScatterKind::reflection;
-  const bool turned = reflected ? response.x < 0.0 : response.x > 0.0;
-  const double length = std::sqrt(response.x * response.x + response.y * response.y);
-  const double D = turned ? -length : length;
-  double ex = reflected ? 1.0 : -1.0;
+/// Light in the outgoing tangential count per unit incident power, in the unit of `response`.
+TabulatedDbef::Light TabulatedDbef::outgoing(const Incidence& in, const SampledBsdf::Response& response,
+                                             ScatterKind kind, const Ray& out) const {
+  // Unit vector of the axis that is called tau_min's, and the signed tau_max - tau_min along it. No branches on what is
+  // random from photon to photon.
+  const double side = 1.0 - 2.0 * static_cast<double>(kind);
+  const double square = response.x * response.x + response.y * response.y;
+  const double length = std::sqrt(square);
+  const double D = std::copysign(length, response.x * side + 0.0);
+  double ex = side;
   double ey = 0.0;
   if (length > 0.0) {
-    ex = response.x / D;
-    ey = response.y / D;
+    const double inverse = 1.0 / D;
+    ex = response.x * inverse;
+    ey = response.y * inverse;
   }
   const double along = ex * in.q1 + ey * in.q2;
   const double across = ex * in.q2 - ey * in.q1;
-  const double cross = response.kappa * 0.5 * std::sqrt(std::max(0.0, response.S * response.S - D * D));
-  const double I = 0.5 * (response.S - D * along);
+  const double cross = response.kappa * 0.5 * std::sqrt(std::max(0.0, response.S * response.S - square));
   const double Q = 0.5 * (response.S * along - D);
   const double U = cross * across;
-  AxisAngle chi = pass_axis(axis_.cos_psi(out), axis_.sin_psi(out), out.sin_polar, kDbefIndex);
-  if (!reflected) chi = {-chi.cos2, -chi.sin2};  // 90 degrees further: the block axis
-  return {I, Q * chi.cos2 - U * chi.sin2, Q * chi.sin2 + U * chi.cos2, cross * in.v};
+  const AxisAngle pass = pass_axis(out.cos_psi(axis_), out.sin_psi(axis_), out.sine, kDbefIndex);
+  const AxisAngle chi{side * pass.cos2, side * pass.sin2};  // transmission: 90 degrees further, the block axis
+  return {0.5 * (response.S - D * along), Q * chi.cos2 - U * chi.sin2, Q * chi.sin2 + U * chi.cos2, cross * in.v};
 }
 
-std::optional<BsdfSample> TabulatedDbef::sample(const core::StokesVector& incident, core::PhotonRng& rng) const {
+std::optional<BsdfSample> TabulatedDbef::sample(const StokesVector& incident, core::PhotonRng& rng) const {
   const Incidence in = incidence(incident);
   const std::size_t node = bsdf_.incidences().draw(in.psi, in.cos2_sigma, rng.uniform());
+  bsdf_.prefetch(node);
   if (rng.uniform() >= bsdf_.integral(node).power(in.q1, in.q2)) return std::nullopt;
   const SampledBsdf::Draw d = bsdf_.draw(node, in.q1, in.q2, rng);
 
-  const double sin_in = in.frame.sin_polar;
-  const double way = d.u * d.u * horizon_distance(sin_in, in.cos2_sigma, d.cos_phi, d.sin_phi);
-  const double bx = sin_in + way * d.cos_phi;
+  const double sine = in.ray.sine;
+  const double way = d.u * d.u * horizon_distance(sine, in.cos2_sigma, d.cos_phi, d.sin_phi);
+  const double bx = sine + way * d.cos_phi;
   const double by = way * d.sin_phi;
   // 1 - beta^2 without the difference of near-equal numbers; a ray in the horizon itself would never leave the film.
-  const double cos2_out = in.cos2_sigma - way * (2.0 * sin_in * d.cos_phi + way);
+  const double cos2_out = in.cos2_sigma - way * (2.0 * sine * d.cos_phi + way);
   const double cos_out = std::sqrt(std::max(cos2_out, 1e-18));
-  const bool upwards = (incident.frame.k.z() > 0.0) == (d.kind == ScatterKind::transmission);
-  const core::Vec3 k(bx * in.frame.azimuth_cos - by * in.frame.azimuth_sin,
-                     bx * in.frame.azimuth_sin + by * in.frame.azimuth_cos, upwards ? cos_out : -cos_out);
-  const TangentialFrame out = tangential_frame(k.normalized());
-  const Eigen::Vector4d s = outgoing(in, d.response, d.kind, out);
-  return BsdfSample{from_film(s * (in.power / s[0]), out), false};
+  const double side = in.ray.sign * (2.0 * static_cast<double>(d.kind) - 1.0);
+  const Vec3 k(bx * in.ray.azimuth_x - by * in.ray.azimuth_y, bx * in.ray.azimuth_y + by * in.ray.azimuth_x,
+               side * cos_out);  // of length 1 to rounding
+  const Ray out(k);
+  const Light light = outgoing(in, d.response, d.kind, out);
+  return BsdfSample{light.stokes(out, k, incident.I / light.I), false};
 }
 
-core::StokesVector TabulatedDbef::evaluate(const core::StokesVector& incident, const core::Vec3& k_out) const {
+StokesVector TabulatedDbef::evaluate(const StokesVector& incident, const Vec3& k_out) const {
   const Incidence in = incidence(incident);
-  const TangentialFrame out = tangential_frame(k_out);
-  const bool through = (incident.frame.k.z() > 0.0) == (k_out.z() > 0.0);
+  const Ray out(k_out);
+  const bool through = in.ray.sign * out.sign > 0.0;
   const ScatterKind kind = through ? ScatterKind::transmission : ScatterKind::reflection;
-  const double bx = k_out.x() * in.frame.azimuth_cos + k_out.y() * in.frame.azimuth_sin - in.frame.sin_polar;
-  const double by = k_out.y() * in.frame.azimuth_cos - k_out.x() * in.frame.azimuth_sin;
-  const double way = std::hypot(bx, by);
+  const double bx = k_out.x() * in.ray.azimuth_x + k_out.y() * in.ray.azimuth_y - in.ray.sine;
+  const double by = k_out.y() * in.ray.azimuth_x - k_out.x() * in.ray.azimuth_y;
+  const double way = std::sqrt(bx * bx + by * by);
   const double cos_phi = way > 0.0 ? bx / way : 1.0;
   const double sin_phi = way > 0.0 ? by / way : 0.0;
-  const double r = horizon_distance(in.frame.sin_polar, in.cos2_sigma, cos_phi, sin_phi);
-  Eigen::Vector4d sum = Eigen::Vector4d::Zero();
+  const double r = horizon_distance(in.ray.sine, in.cos2_sigma, cos_phi, sin_phi);
+  Light sum;
   if (r > 0.0) {
     const double u = std::sqrt(way / r);
     const double phi = full_angle(sin_phi, cos_phi);
@@ -106,14 +151,13 @@ core::StokesVector TabulatedDbef::evaluate(const core::StokesVector& incident, c
     for (std::size_t i = 0; i < 4; ++i) {
       if (cell.weight[i] == 0.0) continue;
       const SampledBsdf::Response response = bsdf_.response(cell.node[i], kind, u, phi, cos_phi, sin_phi);
-      sum += cell.weight[i] * outgoing(in, response, kind, out);
+      sum.add(outgoing(in, response, kind, out), cell.weight[i]);
     }
-    sum *= in.power / (r * r);
   }
-  return from_film(sum, out);
+  return sum.stokes(out, k_out, r > 0.0 ? incident.I / (r * r) : 0.0);
 }
 
-double TabulatedDbef::hemispherical(const core::StokesVector& incident, ScatterKind kind) const {
+double TabulatedDbef::hemispherical(const StokesVector& incident, ScatterKind kind) const {
   const Incidence in = incidence(incident);
   const IncidenceGrid::Cell cell = bsdf_.incidences().cell(in.psi, in.cos2_sigma);
   double sum = 0.0;

