@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <fstream>
-#include <sstream>
 #include <utility>
 
 #include <fmt/core.h>
@@ -62,6 +60,11 @@ Report describe_run(const Run& run, const RunContext& context) {
       report.notes.push_back(fmt::format("films[{}] ({}): {}", i, run.backlight.films[i].kind, remark));
     }
   }
+  for (std::size_t i = 0; i < run.backlight.sources.size(); ++i) {
+    const std::string note = run.backlight.sources[i]->note();
+    if (!note.empty())
+      report.notes.push_back(fmt::format("sources[{}] ({}): {}", i, run.backlight.source_kinds[i], note));
+  }
   return report;
 }
 
@@ -101,18 +104,11 @@ std::string label(const Run& run, const std::string& text) {
   return run.variant.empty() ? text : run.variant + ": " + text;
 }
 
-std::string sha256_of_file(const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  std::ostringstream text;
-  text << in.rdbuf();
-  return core::sha256_hex(text.str());
-}
-
 /// Everything that the bits of a design depend on.
 std::string identity(const Run& run, std::uint32_t stream) {
   std::string text = std::string(core::version()) + '\n' + std::to_string(stream) + '\n' + run.file_text;
   for (const std::string& change : run.overrides) text += '\n' + change;
-  for (const auto& file : run.data_files) text += '\n' + sha256_of_file(file);
+  for (const auto& file : run.data_files) text += '\n' + core::sha256_hex_of_file(file);
   return core::sha256_hex(text);
 }
 

@@ -42,11 +42,11 @@ class UnpolarizedFace final : public tracer::Bsdf {
 }  // namespace
 
 void forget_polarization(BenchScene& bench) {
-  for (tracer::Surface& surface : bench.scene.surfaces) {
+  for (tracer::Surface& surface : bench.scene.optics[0].surfaces) {
     if (surface.body < 0) continue;
-    const double index = bench.scene.bodies[static_cast<std::size_t>(surface.body)].refractive_index;
-    bench.scene.faces.push_back(std::make_unique<UnpolarizedFace>(index, 1.0));
-    surface.optics = bench.scene.faces.back().get();
+    const double index = bench.scene.optics[0].bodies[static_cast<std::size_t>(surface.body)].refractive_index;
+    bench.scene.optics[0].owned.push_back(std::make_unique<UnpolarizedFace>(index, 1.0));
+    surface.optics = bench.scene.optics[0].owned.back().get();
   }
 }
 

@@ -20,12 +20,17 @@ constexpr FilmEntry kFilmCommands[] = {
      "evenglow film reconstruct readings.csv -o film.csv", make_film_reconstruct},
     {"check", "is a BSDF table physical? energy, reciprocity, grid, units; one line for each fault",
      "evenglow film check configs/data/dbef.csv", make_film_check},
+    {"convert", "a film table from CSV to HDF5 or back, without loss", "evenglow film convert film.csv film.h5",
+     make_film_convert},
     {"goniometer", "virtual goniometer: luminance of a lit film, evaluated and traced, against measured tables",
      "evenglow film goniometer configs/dbef_goniometer.yaml", make_film_goniometer},
     {"fit", "fit the semi-empirical DBEF model to luminance tables; standard errors and cross-validation",
      "evenglow film fit --reflection configs/data/dbef_reflection_luminance.csv --transmission "
      "configs/data/dbef_transmission_luminance.csv -o fitted.yaml",
      make_film_fit},
+    {"sweep", "transmittance, reflectance and polarization of any film against angle, azimuth and wavelength",
+     "evenglow film sweep configs/phone_dbef.yaml --film 1 --sigma 0:80:10 --polarization all -o dbef.csv",
+     make_film_sweep},
 };
 
 }  // namespace

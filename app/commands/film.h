@@ -24,8 +24,10 @@ class FilmCommand {
 
 std::unique_ptr<FilmCommand> make_film_reconstruct();
 std::unique_ptr<FilmCommand> make_film_check();
+std::unique_ptr<FilmCommand> make_film_convert();
 std::unique_ptr<FilmCommand> make_film_goniometer();
 std::unique_ptr<FilmCommand> make_film_fit();
+std::unique_ptr<FilmCommand> make_film_sweep();
 
 /// `evenglow film ...`: readings, tables and measurements of polarizing films.
 class FilmGroup {

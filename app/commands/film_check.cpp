@@ -8,13 +8,11 @@
 #include "app/commands/commands.h"
 #include "app/commands/film.h"
 #include "core/base/units.h"
-#include "core/config/text_file.h"
+#include "tracer/polarized_bsdf/stored_table.h"
 #include "tracer/polarized_bsdf/table_check.h"
 
 namespace evenglow::app {
 namespace {
-
-constexpr std::size_t kMaxBytes = std::size_t{256} << 20;
 
 void print_hemispherical(const tracer::TableCheck& check) {
   if (check.hemispherical.empty()) return;
@@ -32,7 +30,7 @@ void print_hemispherical(const tracer::TableCheck& check) {
 class FilmCheck final : public FilmCommand {
  public:
   void add_options(CLI::App& command) override {
-    command.add_option("TABLE.csv", table_, "BSDF table (1/sr, degrees, nm), or TABLE.mueller.csv")
+    command.add_option("TABLE", table_, "BSDF table or table of Mueller matrices (1/sr, degrees, nm), CSV or HDF5")
         ->required()
         ->type_name("FILE");
     command
@@ -61,7 +59,7 @@ class FilmCheck final : public FilmCommand {
     std::optional<tracer::HemisphericalTable> hemispherical;
     if (!hemispherical_.empty()) hemispherical = tracer::HemisphericalTable::read(hemispherical_);
     options_.hemispherical = hemispherical ? &*hemispherical : nullptr;
-    const std::string text = core::read_text_file(table_, kMaxBytes);
+    const std::string text = tracer::read_table_bytes(table_);
     const tracer::TableCheck check = tracer::check_table(text, table_.string(), options_);
     print_hemispherical(check);
     for (const std::string& remark : check.remarks) fmt::print("remark: {}\n", remark);

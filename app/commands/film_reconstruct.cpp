@@ -14,6 +14,7 @@
 #include "core/montecarlo/batches.h"
 #include "tracer/polarized_bsdf/reconstruction.h"
 #include "tracer/polarized_bsdf/reconstruction_writer.h"
+#include "tracer/polarized_bsdf/stored_table.h"
 
 namespace evenglow::app {
 namespace {
@@ -101,7 +102,9 @@ class FilmReconstruct final : public FilmCommand {
                     "readings, 1/sr: columns b0,b45,b90,b135, or in_kind ... value,se (docs/films.md)")
         ->type_name("FILE")
         ->required();
-    command.add_option("-o,--out", table_, "table to write; of general readings also TABLE.mueller.csv")
+    command
+        .add_option("-o,--out", table_,
+                    "table to write, CSV or HDF5 (.h5, .hdf5); of general readings also TABLE.mueller.csv (.h5)")
         ->type_name("FILE")
         ->required();
     command
@@ -133,7 +136,7 @@ class FilmReconstruct final : public FilmCommand {
     const auto readings = tracer::FilmReadings::read(readings_);
     std::vector<std::filesystem::path> paths{table_};
     if (readings.general()) paths.push_back(beside(table_, "mueller"));
-    if (readings.general() && covariance_) paths.push_back(beside(table_, "covariance"));
+    if (readings.general() && covariance_) paths.push_back(beside(table_, "covariance").replace_extension(".csv"));
     if (!overwrite_) require_free(paths);
     bool whole = true;
     const Reconstruction result =
@@ -166,8 +169,10 @@ class FilmReconstruct final : public FilmCommand {
                                         fmt::format("must keep 0 <= k2 < k1 <= 1, got k1 = {}, k2 = {}", k.k1, k.k2)});
   }
 
+  /// As CSV, or a table as HDF5 where its name says so.
   static void write(const std::filesystem::path& path, const std::string& text) {
-    write_whole(path, text);
+    const bool hdf5 = tracer::names_hdf5(path);
+    write_whole(path, hdf5 ? tracer::stored_bytes(tracer::parse_csv_table(text, path.string()), true) : text);
     fmt::print("wrote {}\n", path.string());
   }
 

@@ -76,6 +76,7 @@ const HouseRules& house() {
               {"Random123", {"Random123/"}, {"core/montecarlo/"}},
               {"Embree", {"embree"}, {"tracer/geometry/ray_caster.cpp"}},
               {"Ceres", {"ceres/", "glog/"}, {"design/updaters/coarse_newton_updater.cpp", "tracer/polarized_bsdf/"}},
+              {"HDF5", {"hdf5.h", "H5"}, {"tracer/polarized_bsdf/hdf5_"}},
               {"NLopt",
                {"nlopt"},
                {"design/updaters/gradient_updater.cpp", "design/updaters/spline_updater.cpp",

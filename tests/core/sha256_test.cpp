@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/temp_folder.h"
+
 namespace evenglow::core {
 namespace {
 
@@ -25,6 +27,13 @@ TEST(Sha256, TakesAMillionBytes) {
 
 TEST(Sha256, CountsNulBytes) {
   EXPECT_EQ(sha256_hex(std::string(1, '\0')), "6e340b9cffb37a989ca544e6bb780a2c78901d3fb33738768511a30617afa01d");
+}
+
+TEST(Sha256, OfAFileIsThatOfItsBytes) {
+  const tests::TempFolder folder;
+  const std::string bytes = std::string(3000000, 'a') + '\0' + "end";  // more than is read at once
+  tests::write_text(folder / "file", bytes);
+  EXPECT_EQ(sha256_hex_of_file(folder / "file"), sha256_hex(bytes));
 }
 
 }  // namespace

@@ -6,9 +6,14 @@
 #include "tests/support/chi_square.h"
 #include "tests/support/film_bins.h"
 #include "tests/support/films.h"
+#include "tests/support/mueller_films.h"
 #include "tests/support/z_test.h"
+#include "tracer/films/dichroic_sheet.h"
 #include "tracer/films/ideal_polarizer.h"
 #include "tracer/films/lpp.h"
+#include "tracer/films/mueller_film.h"
+#include "tracer/films/wave_plate.h"
+#include "tracer/films/wire_grid.h"
 
 /// Every film's `sample` against its `evaluate` and `specular`. Seeds are fixed; the chance of a false alarm is 1e-3
 /// for each film (each test of this file), Sidak-corrected over all its comparisons.
@@ -148,6 +153,21 @@ TEST(FilmSampling, TabulatedDbefWithItsOwnTotals) {
   check(TabulatedDbef(table, 550.0, nullptr, 0.7), {{20, 52, true}, {80, 310, false}}, 200000);
 }
 
+/// A film that does everything to polarization: diattenuation, retardance and depolarization that change with
+/// direction, incidence and wavelength.
+TEST(FilmSampling, TabulatedMueller) {
+  const MuellerTable table(mueller_stored(
+      "m.csv", {0, 1}, {{{0, 60, 120}, {0, 30, 60}, {0, 90, 180, 270}, {0, 10, 30, 80}, {450, 650}}},
+      [](const NodeIndex& i) -> core::MuellerMatrix {
+        const auto at = [&](std::size_t d) { return static_cast<double>(i[d]); };
+        const double peak = (i[0] == 0 ? 0.9 : 1.3) * std::exp(-0.8 * at(4)) * (1.0 + 0.2 * std::cos(at(3)));
+        return peak * (1.0 + 0.3 * at(5)) * core::rotator(0.4 * at(3)) * core::depolarizer(0.05 * at(4)) *
+               core::retarder(0.5 + at(2) + 0.3 * at(1)) * core::rotator(0.2 * at(4)) *
+               core::diattenuator(0.7, 0.1 + 0.2 * at(0)) * core::rotator(at(1) - 0.5 * at(5));
+      }));
+  check(TabulatedMueller(table, 520.0, nullptr, 0.7), few_incidences(), 200000);
+}
+
 TEST(FilmSampling, NarrowDiffuser) {
   check(Diffuser({0.7, 0.25, 0.8, 3.0 * kRad, 0.3}), few_incidences(), 200000);
 }
@@ -162,6 +182,19 @@ TEST(FilmSampling, IdealDbef) {
 }
 TEST(FilmSampling, Lpp) {
   check(lpp_surface({.axis = 0.7}), all_incidences(), 100000);
+}
+
+TEST(FilmSampling, LppSheetWithFaces) {
+  check(DichroicSheet({0.8, 0.02, 0.7, 1.5, {}}), few_incidences(), 100000);
+}
+TEST(FilmSampling, WireGrid) {
+  check(WireGrid({}, 0.7), few_incidences(), 100000);
+}
+TEST(FilmSampling, Retarder) {
+  check(WavePlate({.retardance = 1.5, .fast_axis = 0.7}), few_incidences(), 100000);
+}
+TEST(FilmSampling, CarrierWithFaces) {
+  check(WavePlate({40.0, 0.9, 0.7, 1.64, 0.05, true}), few_incidences(), 100000);
 }
 
 TEST(FilmSamplingLong, TabulatedDbef) {

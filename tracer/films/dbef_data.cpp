@@ -8,19 +8,17 @@ namespace evenglow::tracer {
 namespace {
 
 std::optional<DbefData> read_table(const core::ConfigNode& film) {
-  const auto path =
-      film.file({"table", "polarized BSDF table (CSV); without it or a model the film is specular", std::string()});
-  const double wavelength =
-      film.number({"wavelength_nm", "wavelength that the table is read at", {100, 10000, false, false}, 550.0});
-  std::optional<HemisphericalTable> totals;
-  if (film.has("hemispherical")) {
-    const auto totals_path = film.file({"hemispherical", "hemispherical totals that the table is normalized to (CSV)"});
-    totals = film.guarded("hemispherical", [&] { return HemisphericalTable::read(totals_path); });
-    if (!totals) return std::nullopt;
-  }
+  const auto path = film.file(
+      {"table", "polarized BSDF table (CSV or HDF5); without it or a model the film is specular", std::string()});
+  auto keys = read_table_keys(film);
+  if (!keys) return std::nullopt;
   auto table = film.guarded("table", [&] { return BsdfTable::read(path); });
   if (!table) return std::nullopt;
-  return DbefData{std::move(*table), wavelength, std::move(totals)};
+  const std::vector<double>& wavelengths = table->axes().lambda_nm;
+  const bool follows = follows_wavelength(wavelengths, *keys);
+  std::vector<std::string> remarks = wavelength_remarks(table->name(), wavelengths, *keys);
+  return DbefData{std::move(*table), keys->wavelength_nm.value_or(kFilmWavelength), std::move(keys->totals), follows,
+                  std::move(remarks)};
 }
 
 std::optional<DbefData> read_model(const core::ConfigNode& film) {
@@ -31,11 +29,17 @@ std::optional<DbefData> read_model(const core::ConfigNode& film) {
   }
   return film.guarded("model", [&] {
     const LobeModel model(parameters);
-    return DbefData{lobe_table(model), 550.0, lobe_hemispherical(model)};
+    return DbefData{lobe_table(model), kFilmWavelength, lobe_hemispherical(model), false, {}};
   });
 }
 
 }  // namespace
+
+std::unique_ptr<const TabulatedDbef> DbefData::surface(double lambda_nm, double axis) const {
+  std::optional<HemisphericalTable> here;
+  if (totals) here = totals->at_wavelength(lambda_nm);
+  return std::make_unique<TabulatedDbef>(table, lambda_nm, here ? &*here : nullptr, axis);
+}
 
 bool has_dbef_data(const core::ConfigNode& film) {
   return film.has("table") || film.has("model");

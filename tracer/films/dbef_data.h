@@ -1,8 +1,13 @@
 #pragma once
 
+#include <memory>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "core/config/config_node.h"
+#include "tracer/films/dbef.h"
+#include "tracer/films/film_wavelengths.h"
 #include "tracer/polarized_bsdf/bsdf_table.h"
 #include "tracer/polarized_bsdf/hemispherical_table.h"
 
@@ -11,15 +16,20 @@ namespace evenglow::tracer {
 /// What a scattering film of kind `dbef` is made of.
 struct DbefData {
   BsdfTable table;
-  double wavelength_nm = 550.0;
-  std::optional<HemisphericalTable> totals;
+  double wavelength_nm = kFilmWavelength;    ///< of light without a wavelength of its own
+  std::optional<HemisphericalTable> totals;  ///< that the table is normalized to
+  bool follows_wavelength = false;           ///< it is another film at another wavelength
+  std::vector<std::string> remarks;
+
+  /// The film at a wavelength; `axis`: rad.
+  std::unique_ptr<const TabulatedDbef> surface(double lambda_nm, double axis) const;
 };
 
 /// Has this film data (`table` or `model`), or is it specular?
 bool has_dbef_data(const core::ConfigNode& film);
 
-/// Reads `table` with `hemispherical` and `wavelength_nm`, or tabulates `model`. Faults are noted at the node; then
-/// empty.
+/// Reads `table` (CSV, or HDF5 by its ending) with `hemispherical` and `wavelength_nm`, or tabulates `model`. Faults
+/// are noted at the node; then empty.
 ///
 /// | key of `model` | meaning (configs/data/README.md, "The model") | default |
 /// | --- | --- | --- |

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "tracer/optics/bsdf.h"
+#include "tracer/optics/volume_scattering.h"
 
 namespace evenglow::tracer {
 
@@ -15,6 +16,7 @@ struct DielectricSheet {
   double refractive_index = 1.5;
   double absorption = 0.0;  ///< 1/mm
   double thickness = 0.1;   ///< mm
+  std::optional<VolumeScattering> scattering{};
 };
 
 /// What a film is to light of one wavelength: one of the two.
@@ -27,7 +29,9 @@ struct FilmOptics {
 struct Film {
   std::string kind;
   double gap = 0.05;                    ///< mm of air below it
-  double axis = 0.0;                    ///< rad in [0, pi): pass axis from +x towards +y; 0 where the kind has none
+  double axis = 0.0;                    ///< rad in [0, pi): pass axis (of a retarder: fast axis) from +x towards +y; 0
+                                        ///< where the kind has none
+  double axis_index = 1.5;              ///< refractive index that pass_axis.h counts the axis of an oblique ray with
   std::unique_ptr<const Bsdf> surface;  ///< in the plate's frame, its axis applied; null for a sheet
   std::optional<DielectricSheet> sheet;
   /// The film at another wavelength (nm); empty: `surface` or `sheet` at every wavelength. Those hold for 550 nm.

@@ -7,7 +7,11 @@
 #include "core/base/units.h"
 #include "tracer/films/dbef.h"
 #include "tracer/films/dbef_data.h"
+#include "tracer/films/dichroic_sheet.h"
 #include "tracer/films/diffuser.h"
+#include "tracer/films/faced_body.h"
+#include "tracer/films/film_keys.h"
+#include "tracer/films/film_wavelengths.h"
 #include "tracer/films/ideal_polarizer.h"
 #include "tracer/films/lpp.h"
 
@@ -15,31 +19,6 @@ namespace evenglow::tracer {
 namespace {
 
 using core::Range;
-
-constexpr double kDefaultGap = 0.05;  // mm
-
-Film film_of(std::string kind, const core::ConfigNode& node) {
-  Film film;
-  film.kind = std::move(kind);
-  film.gap = node.number({"gap_mm", "air below the film", {0.001, 100.0, false, false}, kDefaultGap});
-  return film;
-}
-
-double axis_of(const core::ConfigNode& node) {
-  return node.number({"axis_deg", "pass axis, counted from +x towards +y", {0.0, 180.0, false, true}, 0.0});
-}
-
-double share(const core::ConfigNode& node, std::string_view key, std::string_view help, double fallback) {
-  return node.number({key, help, Range::closed(0, 1), fallback});
-}
-
-/// Notes a fault and lowers `part` if the two come to more than the whole.
-void require_sum(const core::ConfigNode& node, double whole, std::string_view whole_key, double& part,
-                 std::string_view part_key) {
-  if (whole + part <= 1.0 + 1e-12) return;
-  node.fault_at(part_key, fmt::format("must be at most 1 - {} = {:g}, got {:g}", whole_key, 1.0 - whole, part));
-  part = 1.0 - whole;
-}
 
 void read_ideal_dbef(const core::ConfigNode& node, Film& film) {
   IdealPolarizer::Powers p;
@@ -55,25 +34,51 @@ void read_ideal_dbef(const core::ConfigNode& node, Film& film) {
   film.surface = std::make_unique<IdealPolarizer>(p, film.axis, kDbefIndex);
 }
 
-/// Remarks (`FILE: text`) that name their file without its folder: results must not depend on where a run stands.
-std::vector<std::string> without_folders(std::vector<std::string> remarks) {
-  for (std::string& remark : remarks) {
-    const std::size_t slash = remark.substr(0, remark.find(": ")).rfind('/');
-    if (slash != std::string::npos) remark.erase(0, slash + 1);
-  }
-  return remarks;
+void read_scattering_dbef(const core::ConfigNode& node, Film& film) {
+  auto data = read_dbef_data(node);
+  if (!data) return;
+  auto surface = node.guarded(node.has("model") ? "model" : "table",
+                              [&] { return data->surface(data->wavelength_nm, film.axis); });
+  if (!surface) return;
+  film.remarks = (*surface)->remarks();
+  film.remarks.insert(film.remarks.end(), data->remarks.begin(), data->remarks.end());
+  film.remarks = without_folders(std::move(film.remarks));
+  film.surface = std::move(*surface);
+  if (!data->follows_wavelength) return;
+  film.at_wavelength = [data = std::move(*data), axis = film.axis](double lambda_nm) {
+    return FilmOptics{data.surface(lambda_nm, axis), {}};
+  };
 }
 
-void read_scattering_dbef(const core::ConfigNode& node, Film& film) {
-  const auto data = read_dbef_data(node);
-  if (!data) return;
-  auto surface = node.guarded(node.has("model") ? "model" : "table", [&] {
-    return std::make_unique<TabulatedDbef>(data->table, data->wavelength_nm, data->totals ? &*data->totals : nullptr,
-                                           film.axis);
-  });
-  if (!surface) return;
-  film.remarks = without_folders((*surface)->remarks());
-  film.surface = std::move(*surface);
+/// Smooth faces of this index in place of `reflectance`.
+void take_faces(const core::ConfigNode& node, double index, DichroicSheet::Spec& spec) {
+  if (node.has("reflectance")) {
+    node.fault_at("reflectance", "must not stand beside refractive_index, which gives the reflection of the faces");
+    share(node, "reflectance", "reflectance of any light, polarization kept", 0.04);
+  }
+  spec.index = index;
+  spec.reflectance.reset();
+  const double most = greatest_through_faces(index);
+  if (spec.k1 <= most) return;
+  node.fault_at("k1", fmt::format("must be at most {:g}, what faces of refractive_index {:g} let through, got {:g}",
+                                  most, index, spec.k1));
+  spec.k1 = most;
+}
+
+/// `reflectance`, or `refractive_index`.
+void read_lpp_faces(const core::ConfigNode& node, bool sheet, DichroicSheet::Spec& spec) {
+  const auto index = node.optional_number(
+      {"refractive_index", "instead of reflectance: smooth faces of this index", Range::closed(1.0001, 4)});
+  if (index && sheet) {
+    take_faces(node, *index, spec);
+    return;
+  }
+  if (index) {
+    node.fault_at("refractive_index", "must stand beside angle_dependence: sheet, got angle_dependence: none");
+  }
+  double reflectance = share(node, "reflectance", "reflectance of any light, polarization kept", LppSpec{}.reflectance);
+  require_sum(node, spec.k1, "k1", reflectance, "reflectance");
+  spec.reflectance = reflectance;
 }
 
 }  // namespace
@@ -81,6 +86,7 @@ void read_scattering_dbef(const core::ConfigNode& node, Film& film) {
 Film make_dbef(const core::ConfigNode& node) {
   Film film = film_of("dbef", node);
   film.axis = axis_of(node);
+  film.axis_index = kDbefIndex;
   if (has_dbef_data(node)) {
     read_scattering_dbef(node, film);
   } else {
@@ -96,17 +102,28 @@ Film make_dbef(const core::ConfigNode& node) {
 Film make_lpp(const core::ConfigNode& node) {
   Film film = film_of("lpp", node);
   film.axis = axis_of(node);
-  LppSpec spec;
+  const bool sheet = node.choice({"angle_dependence",
+                                  "none: the same transmittances at every angle; sheet: those of a dyed sheet",
+                                  {"none", "sheet"},
+                                  "none"}) == "sheet";
+  const LppSpec defaults;
+  DichroicSheet::Spec spec;
   spec.axis = film.axis;
-  spec.k1 = share(node, "k1", "transmittance of light along the pass axis, faces included", spec.k1);
-  spec.k2 = share(node, "k2", "transmittance of light along the block axis", spec.k2);
-  spec.reflectance = share(node, "reflectance", "reflectance of any light, polarization kept", spec.reflectance);
-  require_sum(node, spec.k1, "k1", spec.reflectance, "reflectance");
+  spec.index = kLppIndex;
+  spec.k1 = share(node, "k1", "transmittance of light along the pass axis, faces included", defaults.k1);
+  spec.k2 = share(node, "k2", "transmittance of light along the block axis", defaults.k2);
+  read_lpp_faces(node, sheet, spec);
   if (spec.k2 > spec.k1) {
     node.fault_at("k2", fmt::format("must be at most k1 = {:g}, got {:g}", spec.k1, spec.k2));
     spec.k2 = spec.k1;
   }
-  film.surface = std::make_unique<IdealPolarizer>(lpp_surface(spec));
+  film.axis_index = spec.index;
+  if (sheet) {
+    film.surface = std::make_unique<DichroicSheet>(spec);
+  } else {
+    film.surface =
+        std::make_unique<IdealPolarizer>(lpp_surface({spec.k1, spec.k2, spec.reflectance.value_or(0.0), film.axis}));
+  }
   return film;
 }
 

@@ -1,18 +1,12 @@
 #include "tracer/films/ideal_polarizer.h"
 
 #include "core/base/error.h"
-#include "tracer/polarized_bsdf/pass_axis.h"
 
 namespace evenglow::tracer {
 namespace {
 
-/// R(-chi) D(along pass, along block) R(chi) between tangential frames.
 core::MuellerMatrix turned_diattenuator(double pass, double block, const AxisAngle& chi) {
-  core::MuellerMatrix turn = core::MuellerMatrix::Identity();
-  turn(1, 1) = turn(2, 2) = chi.cos2;
-  turn(1, 2) = chi.sin2;
-  turn(2, 1) = -chi.sin2;
-  return turn.transpose() * core::diattenuator(pass, block) * turn;
+  return turned(core::diattenuator(pass, block), chi);
 }
 
 }  // namespace
@@ -33,31 +27,6 @@ Bsdf::Specular IdealPolarizer::matrices(const TangentialFrame& frame) const {
                      ? 0.5 * (powers_.reflectance_pass + powers_.reflectance_block) * core::MuellerMatrix::Identity()
                      : turned_diattenuator(powers_.reflectance_pass, powers_.reflectance_block, chi);
   return s;
-}
-
-Bsdf::Specular IdealPolarizer::specular(const core::Vec3& k) const {
-  return matrices(tangential_frame(k));
-}
-
-std::optional<BsdfSample> IdealPolarizer::sample(const core::StokesVector& incident, core::PhotonRng& rng) const {
-  const TangentialFrame in = tangential_frame(incident.frame.k);
-  const Specular split = matrices(in);
-  const Eigen::Vector4d s = to_film(incident, in);
-  const Eigen::Vector4d transmitted = split.transmission * s;
-  double chance = rng.uniform() * incident.I;
-  if (chance < transmitted[0]) {
-    return BsdfSample{from_film(transmitted * (incident.I / transmitted[0]), in), true};
-  }
-  chance -= transmitted[0];
-  const Eigen::Vector4d reflected = split.reflection * s;
-  if (chance >= reflected[0]) return std::nullopt;
-  const core::Vec3& k = incident.frame.k;
-  const TangentialFrame out = tangential_frame(core::Vec3(k.x(), k.y(), -k.z()));
-  return BsdfSample{from_film(reflected * (incident.I / reflected[0]), out), true};
-}
-
-core::StokesVector IdealPolarizer::evaluate(const core::StokesVector&, const core::Vec3& k_out) const {
-  return core::StokesVector::unpolarized(0.0, tangential_frame(k_out).frame);
 }
 
 }  // namespace evenglow::tracer

@@ -1,14 +1,14 @@
 #pragma once
 
 #include "tracer/films/film_axis.h"
-#include "tracer/optics/bsdf.h"
+#include "tracer/films/specular_film.h"
 
 namespace evenglow::tracer {
 
 /// Specular polarizing film given by what it transmits and reflects of light along its pass and its block axis, the
 /// same for every incidence. The axes that an oblique ray sees are those of pass_axis.h. The film is the same from both
 /// sides.
-class IdealPolarizer final : public Bsdf {
+class IdealPolarizer final : public SpecularFilm {
  public:
   struct Powers {
     double transmittance_pass = 1.0, reflectance_pass = 0.0;
@@ -21,13 +21,8 @@ class IdealPolarizer final : public Bsdf {
   /// and block: T, R in [0, 1], T + R <= 1 (`core::Error` otherwise).
   IdealPolarizer(const Powers& powers, double axis, double index);
 
-  std::optional<BsdfSample> sample(const core::StokesVector& incident, core::PhotonRng& rng) const override;
-  core::StokesVector evaluate(const core::StokesVector& incident, const core::Vec3& k_out) const override;
-  bool scatters() const override { return false; }
-  Specular specular(const core::Vec3& k) const override;
-
  private:
-  Specular matrices(const TangentialFrame& frame) const;
+  Specular matrices(const TangentialFrame& frame) const override;
 
   Powers powers_;
   FilmAxis axis_;

@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "tracer/polarized_bsdf/csv_numbers.h"
+#include "core/config/csv_numbers.h"
 
 namespace evenglow::tracer {
 namespace {
@@ -14,7 +14,7 @@ namespace {
 constexpr double kHuge = 1e12;
 constexpr std::array<std::size_t, 6> kSortedBy{kKind, kLambda, kPsi, kSigma, kTheta, kPhi};
 
-std::vector<double> distinct(const CsvNumbers& rows, std::size_t column) {
+std::vector<double> distinct(const core::CsvNumbers& rows, std::size_t column) {
   std::vector<double> values(rows.rows());
   for (std::size_t r = 0; r < rows.rows(); ++r) values[r] = rows.value(r, column);
   std::ranges::sort(values);
@@ -28,7 +28,7 @@ std::string described(const std::array<double, 6>& node) {
 }
 
 /// Compares the sorted rows with an odometer over the axes: the first difference is a repeated or a missing node.
-void require_complete(const CsvNumbers& rows, const std::vector<std::size_t>& order,
+void require_complete(const core::CsvNumbers& rows, const std::vector<std::size_t>& order,
                       const std::array<std::vector<double>, 6>& axes) {
   std::array<std::size_t, 6> digit{};
   const auto refuse = [&](int line, std::string message) {
@@ -66,8 +66,8 @@ void require_complete(const CsvNumbers& rows, const std::vector<std::size_t>& or
 
 }  // namespace
 
-const std::vector<CsvColumn>& bsdf_columns() {
-  static const std::vector<CsvColumn> table{
+const std::vector<core::CsvColumn>& bsdf_columns() {
+  static const std::vector<core::CsvColumn> table{
       {"kind", "BRDF or BTDF", 0, 0, false, true, {"BRDF", "BTDF"}},
       {"psi_deg", "a number in [0, 180)", 0, 180, true},
       {"sigma_deg", "a number in [0, 90)", 0, 90, true},
@@ -91,7 +91,7 @@ std::optional<std::pair<std::size_t, std::string>> bsdf_row_fault(std::span<cons
                    fmt::format("must be at most tau_max = {}, got {}", row[kTauMax], row[kTauMin])};
 }
 
-BsdfGrid sort_to_grid(const CsvNumbers& rows) {
+BsdfGrid sort_to_grid(const core::CsvNumbers& rows) {
   std::array<std::vector<double>, 6> axes;
   for (std::size_t a = 0; a < 6; ++a) axes[a] = distinct(rows, kSortedBy[a]);
   BsdfGrid grid;

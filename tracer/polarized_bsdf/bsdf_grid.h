@@ -7,10 +7,12 @@
 #include <utility>
 #include <vector>
 
-namespace evenglow::tracer {
-
+namespace evenglow::core {
 class CsvNumbers;
 struct CsvColumn;
+}  // namespace evenglow::core
+
+namespace evenglow::tracer {
 
 /// Columns of a BSDF table, in the order of the indices below.
 enum BsdfColumn : std::size_t {
@@ -29,8 +31,8 @@ enum BsdfColumn : std::size_t {
   kKappa
 };
 
-/// The columns with what each may hold, and what is wrong with a whole row (`CsvNumbers::RowCheck`).
-const std::vector<CsvColumn>& bsdf_columns();
+/// The columns with what each may hold, and what is wrong with a whole row (`core::CsvNumbers::RowCheck`).
+const std::vector<core::CsvColumn>& bsdf_columns();
 std::optional<std::pair<std::size_t, std::string>> bsdf_row_fault(std::span<const double> row);
 
 /// Rows of a BSDF table sorted to its grid: kind slowest, then lambda, psi, sigma, theta, phi.
@@ -41,6 +43,6 @@ struct BsdfGrid {
 };
 
 /// Throws `core::ConfigError`: a repeated row, a missing node (the first in the order above).
-BsdfGrid sort_to_grid(const CsvNumbers& rows);
+BsdfGrid sort_to_grid(const core::CsvNumbers& rows);
 
 }  // namespace evenglow::tracer

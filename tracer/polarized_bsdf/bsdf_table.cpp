@@ -4,8 +4,10 @@
 #include <cmath>
 
 #include "core/base/units.h"
+#include "core/config/csv_numbers.h"
+#include "tracer/polarized_bsdf/bracket.h"
 #include "tracer/polarized_bsdf/bsdf_grid.h"
-#include "tracer/polarized_bsdf/csv_numbers.h"
+#include "tracer/polarized_bsdf/stored_table.h"
 
 namespace evenglow::tracer {
 namespace {
@@ -13,40 +15,36 @@ namespace {
 /// Least S, as a share of the table's largest, whose logarithm is taken: a node of zero must not pull its neighbors
 /// down to nothing.
 constexpr double kSmallestShare = 1e-12;
-/// Up to here S is a function of theta^2 (a smooth peak), rad; the margin is rounding of the degrees.
-constexpr double kPeak = 10.0 * core::kRadPerDeg + 1e-9;
 
 std::vector<double> radians(std::vector<double> degrees) {
   for (double& value : degrees) value *= core::kRadPerDeg;
   return degrees;
 }
 
-/// Interval and share in it, both ends held.
-struct Bracket {
-  std::size_t i = 0, j = 0;
-  double t = 0.0;
-};
-
-template <typename Coordinate>
-Bracket bracket(const std::vector<double>& nodes, double x, Coordinate&& coordinate) {
-  if (nodes.size() == 1 || x <= nodes.front()) return {};
-  if (x >= nodes.back()) return {nodes.size() - 1, nodes.size() - 1, 0.0};
-  const auto next = static_cast<std::size_t>(std::upper_bound(nodes.begin() + 1, nodes.end() - 1, x) - nodes.begin());
-  const double low = coordinate(nodes[next - 1]);
-  return {next - 1, next, (coordinate(x) - low) / (coordinate(nodes[next]) - low)};
-}
-
 }  // namespace
 
 BsdfTable BsdfTable::read(const std::filesystem::path& file) {
-  return BsdfTable(CsvNumbers::read(file, bsdf_columns(), bsdf_row_fault));
+  if (names_hdf5(file)) return from_stored(parse_stored_table(read_table_bytes(file), file.string()));
+  return BsdfTable(core::CsvNumbers::read(file, bsdf_columns(), bsdf_row_fault));
 }
 
 BsdfTable BsdfTable::parse(std::string_view text, std::string name) {
-  return BsdfTable(CsvNumbers::parse(text, std::move(name), bsdf_columns(), bsdf_row_fault));
+  return BsdfTable(core::CsvNumbers::parse(text, std::move(name), bsdf_columns(), bsdf_row_fault));
 }
 
-BsdfTable::BsdfTable(const CsvNumbers& numbers)
+BsdfTable BsdfTable::from_stored(const StoredTable& table) {
+  if (table.form != StoredForm::diattenuator) {
+    throw core::ConfigError(core::Fault{table.name,
+                                        0,
+                                        0,
+                                        {},
+                                        "must hold tau_min, tau_max and delta, got Mueller matrices (film kind "
+                                        "mueller_table)"});
+  }
+  return BsdfTable(table.rows());
+}
+
+BsdfTable::BsdfTable(const core::CsvNumbers& numbers)
     : name_(numbers.name()), psi_spline_({0.0}, core::kPi), phi_spline_({0.0}, 2.0 * core::kPi) {
   const BsdfGrid grid = sort_to_grid(numbers);
   axes_ = {radians(grid.psi), radians(grid.sigma), radians(grid.phi), radians(grid.theta), grid.lambda_nm};
@@ -132,8 +130,8 @@ BsdfTable::Slice BsdfTable::slice(ScatterKind kind, double psi, double sigma, do
   core::expects(has(kind), "a slice is of a kind that the table holds");
   const auto& logs = logs_[static_cast<std::size_t>(kind)];
   const auto& nodes = nodes_[static_cast<std::size_t>(kind)];
-  const Bracket s = bracket(axes_.sigma, sigma, [](double x) { return std::sin(x) * std::sin(x); });
-  const Bracket l = bracket(axes_.lambda_nm, lambda_nm, [](double x) { return x; });
+  const Bracket s = sigma_bracket(axes_.sigma, sigma);
+  const Bracket l = lambda_bracket(axes_.lambda_nm, lambda_nm);
   const std::vector<double> cubic = psi_spline_.weights(psi);
   const std::vector<double> linear = psi_spline_.linear_weights(psi);
   const std::size_t n_phi = axes_.phi.size();
@@ -172,10 +170,7 @@ BsdfTable::Value BsdfTable::Slice::at(double phi, double theta) const {
     const Cell& j = cells_[t * n_phi + p.j];
     return p.a * i.log_S + p.b * j.log_S + p.c * i.log_S_curvature + p.d * j.log_S_curvature;
   };
-  Bracket t = bracket(nodes, theta, [](double x) { return x; });
-  if (t.j > t.i && nodes[t.j] <= kPeak) {
-    t.t = (theta * theta - nodes[t.i] * nodes[t.i]) / (nodes[t.j] * nodes[t.j] - nodes[t.i] * nodes[t.i]);
-  }
+  const Bracket t = theta_bracket(nodes, theta);
   double value = log_S(t.i);
   if (t.j > t.i) {
     value += t.t * (log_S(t.j) - value);

@@ -9,9 +9,13 @@
 
 #include "tracer/polarized_bsdf/periodic_spline.h"
 
+namespace evenglow::core {
+class CsvNumbers;
+}  // namespace evenglow::core
+
 namespace evenglow::tracer {
 
-class CsvNumbers;
+struct StoredTable;
 
 enum class ScatterKind { reflection = 0, transmission = 1 };
 
@@ -60,9 +64,11 @@ class BsdfTable {
     std::vector<Cell> cells_;  ///< index theta * n_phi + phi
   };
 
-  /// Throw `core::ConfigError`: everything `CsvNumbers` refuses, tau_min > tau_max, a repeated row, a missing node.
+  /// Throw `core::ConfigError`: everything `core::CsvNumbers` (of a name that ends in .h5 or .hdf5: `parse_hdf5_table`)
+  /// refuses, tau_min > tau_max, a repeated row, a missing node, Mueller matrices.
   static BsdfTable read(const std::filesystem::path& file);
   static BsdfTable parse(std::string_view text, std::string name);
+  static BsdfTable from_stored(const StoredTable& table);
 
   /// A table made in memory. `nodes`: by kind, an absent kind empty; index lambda slowest, then psi, sigma, theta, phi.
   static BsdfTable from_nodes(std::string name, Axes axes, std::array<std::vector<Node>, 2> nodes);
@@ -84,7 +90,7 @@ class BsdfTable {
   struct Logs {  ///< what is interpolated, at one node
     double log_S = 0.0, x = 0.0, y = 0.0;
   };
-  explicit BsdfTable(const CsvNumbers& numbers);
+  explicit BsdfTable(const core::CsvNumbers& numbers);
   BsdfTable(std::string name, Axes axes, std::array<std::vector<Node>, 2> nodes);
   std::size_t index(std::size_t psi, std::size_t sigma, std::size_t phi, std::size_t theta, std::size_t lambda) const;
   void prepare_logs();

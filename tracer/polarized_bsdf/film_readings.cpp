@@ -8,8 +8,8 @@
 #include <fmt/format.h>
 
 #include "core/base/units.h"
+#include "core/config/csv_numbers.h"
 #include "core/config/text_file.h"
-#include "tracer/polarized_bsdf/csv_numbers.h"
 #include "tracer/polarized_bsdf/csv_units.h"
 
 namespace evenglow::tracer {
@@ -21,7 +21,7 @@ constexpr std::size_t kMaxBytes = std::size_t{256} << 20;
 
 enum NodeColumn : std::size_t { kKind, kPsi, kSigma, kPhi, kTheta, kLambda, kNodeColumns };
 
-std::vector<CsvColumn> node_columns() {
+std::vector<core::CsvColumn> node_columns() {
   return {{"kind", "BRDF or BTDF", 0, 0, false, true, {"BRDF", "BTDF"}},
           {"psi_deg", "a number in [0, 180)", 0, 180, true},
           {"sigma_deg", "a number in [0, 90)", 0, 90, true},
@@ -30,11 +30,11 @@ std::vector<CsvColumn> node_columns() {
           {"lambda_nm", "a number in [100, 10000]", 100, 10000}};
 }
 
-CsvColumn reading_column(std::string_view name, bool may_be_empty) {
+core::CsvColumn reading_column(std::string_view name, bool may_be_empty) {
   return {name, "a number in [-1e12, 1e12]", -kHuge, kHuge, false, true, {}, may_be_empty};
 }
 
-CsvColumn error_column(std::string_view name, bool required, bool may_be_empty) {
+core::CsvColumn error_column(std::string_view name, bool required, bool may_be_empty) {
   return {name, "a number in (0, 1e12]", kTiny, kHuge, false, required, {}, may_be_empty};
 }
 
@@ -43,9 +43,9 @@ constexpr std::size_t kFirstReading = kNodeColumns;         // b0 ... b135
 constexpr std::size_t kCommonSe = kFirstReading + kAngles;  // se
 constexpr std::size_t kFirstSe = kCommonSe + 1;             // se0 ... se135
 
-const std::vector<CsvColumn>& angle_columns() {
-  static const std::vector<CsvColumn> table = [] {
-    std::vector<CsvColumn> columns = node_columns();
+const std::vector<core::CsvColumn>& angle_columns() {
+  static const std::vector<core::CsvColumn> table = [] {
+    std::vector<core::CsvColumn> columns = node_columns();
     for (const char* name : {"b0", "b45", "b90", "b135"}) columns.push_back(reading_column(name, true));
     columns.push_back(error_column("se", false, false));
     for (const char* name : {"se0", "se45", "se90", "se135"}) columns.push_back(error_column(name, false, true));
@@ -56,9 +56,9 @@ const std::vector<CsvColumn>& angle_columns() {
 
 enum GeneralColumn : std::size_t { kInKind = kNodeColumns, kInAngle, kOutKind, kOutAngle, kValue, kSe };
 
-const std::vector<CsvColumn>& general_columns() {
-  static const std::vector<CsvColumn> table = [] {
-    std::vector<CsvColumn> columns = node_columns();
+const std::vector<core::CsvColumn>& general_columns() {
+  static const std::vector<core::CsvColumn> table = [] {
+    std::vector<core::CsvColumn> columns = node_columns();
     const std::vector<std::string_view> kinds{"none", "linear", "right", "left"};
     for (const auto& [kind, angle] : {std::pair{"in_kind", "in_angle_deg"}, std::pair{"out_kind", "out_angle_deg"}}) {
       columns.push_back({kind, "none, linear, right or left", 0, 0, false, true, kinds});
@@ -112,7 +112,7 @@ std::string FilmNode::to_string() const {
 
 class ReadingsBuilder {
  public:
-  explicit ReadingsBuilder(const CsvNumbers& numbers) : numbers_(numbers) {}
+  explicit ReadingsBuilder(const core::CsvNumbers& numbers) : numbers_(numbers) {}
 
   FilmReadings angles() {
     bool separate = false;
@@ -182,7 +182,7 @@ class ReadingsBuilder {
     return std::move(result_);
   }
 
-  const CsvNumbers& numbers_;
+  const core::CsvNumbers& numbers_;
   std::map<FilmNode, std::vector<FilmReading>> groups_;
   FilmReadings result_;
 };
@@ -194,9 +194,10 @@ FilmReadings FilmReadings::read(const std::filesystem::path& file) {
 FilmReadings FilmReadings::parse(std::string_view text, std::string name) {
   if (const auto fault = unit_fault(text, name, false)) throw core::ConfigError(*fault);
   if (is_general(text)) {
-    return ReadingsBuilder(CsvNumbers::parse(text, std::move(name), general_columns(), general_row_fault)).general();
+    return ReadingsBuilder(core::CsvNumbers::parse(text, std::move(name), general_columns(), general_row_fault))
+        .general();
   }
-  return ReadingsBuilder(CsvNumbers::parse(text, std::move(name), angle_columns(), angle_row_fault)).angles();
+  return ReadingsBuilder(core::CsvNumbers::parse(text, std::move(name), angle_columns(), angle_row_fault)).angles();
 }
 
 }  // namespace evenglow::tracer

@@ -7,8 +7,8 @@
 
 #include <fmt/format.h>
 
+#include "core/config/csv_numbers.h"
 #include "tracer/polarized_bsdf/bsdf_grid.h"
-#include "tracer/polarized_bsdf/csv_numbers.h"
 
 namespace evenglow::tracer {
 namespace {
@@ -17,7 +17,7 @@ constexpr std::size_t kMostTold = 10;
 constexpr std::size_t kColumns = kLambda + 1;
 using Node = std::array<double, kColumns>;  ///< kind, psi, sigma, phi, theta, lambda
 
-Node node_of(const CsvNumbers& rows, std::size_t row) {
+Node node_of(const core::CsvNumbers& rows, std::size_t row) {
   Node node;
   for (std::size_t c = 0; c < kColumns; ++c) node[c] = rows.value(row, c);
   return node;
@@ -30,7 +30,7 @@ std::string described(const Node& n) {
 
 class GridCheck {
  public:
-  explicit GridCheck(const CsvNumbers& rows) : rows_(rows) {}
+  explicit GridCheck(const core::CsvNumbers& rows) : rows_(rows) {}
 
   std::vector<core::Fault> faults() {
     find_repeated();
@@ -134,7 +134,7 @@ class GridCheck {
     return line;
   }
 
-  const CsvNumbers& rows_;
+  const core::CsvNumbers& rows_;
   std::map<Node, int> lines_;
   std::size_t repeated_ = 0;
   std::array<std::size_t, kColumns> sort_columns_{};
@@ -143,7 +143,7 @@ class GridCheck {
 
 }  // namespace
 
-std::vector<core::Fault> grid_faults(const CsvNumbers& rows) {
+std::vector<core::Fault> grid_faults(const core::CsvNumbers& rows) {
   return GridCheck(rows).faults();
 }
 

@@ -8,7 +8,7 @@
 
 #include "core/base/error.h"
 #include "core/base/units.h"
-#include "tracer/polarized_bsdf/csv_numbers.h"
+#include "core/config/csv_numbers.h"
 
 namespace evenglow::tracer {
 namespace {
@@ -21,9 +21,9 @@ std::vector<std::string> illumination_words() {
   return words;
 }
 
-const std::vector<CsvColumn>& columns() {
+const std::vector<core::CsvColumn>& columns() {
   static const std::vector<std::string> words = illumination_words();
-  static const std::vector<CsvColumn> table{
+  static const std::vector<core::CsvColumn> table{
       {"psi_deg", "a number in [0, 360)", 0, 360, true},
       {"theta_deg", "a number in [0, 90)", 0, 90, true},
       {"illumination", "natural, or lpf with the angle of the filter in whole degrees (lpf0 to lpf179)", 0, 0, false,
@@ -34,7 +34,7 @@ const std::vector<CsvColumn>& columns() {
   return table;
 }
 
-LuminanceTable make(const CsvNumbers& numbers, ScatterKind kind) {
+LuminanceTable make(const core::CsvNumbers& numbers, ScatterKind kind) {
   LuminanceTable table;
   table.name = numbers.name();
   table.kind = kind;
@@ -65,11 +65,11 @@ LuminanceTable make(const CsvNumbers& numbers, ScatterKind kind) {
 }  // namespace
 
 LuminanceTable LuminanceTable::read(const std::filesystem::path& file, ScatterKind kind) {
-  return make(CsvNumbers::read(file, columns()), kind);
+  return make(core::CsvNumbers::read(file, columns()), kind);
 }
 
 LuminanceTable LuminanceTable::parse(std::string_view text, std::string name, ScatterKind kind) {
-  return make(CsvNumbers::parse(text, std::move(name), columns()), kind);
+  return make(core::CsvNumbers::parse(text, std::move(name), columns()), kind);
 }
 
 bool LuminanceTable::has_published() const {

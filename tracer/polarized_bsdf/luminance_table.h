@@ -28,7 +28,7 @@ struct LuminanceTable {
   std::vector<LuminanceRow> rows;
 
   bool has_published() const;
-  /// Throw `core::ConfigError`: everything `CsvNumbers` refuses, the same setting twice, no rows.
+  /// Throw `core::ConfigError`: everything `core::CsvNumbers` refuses, the same setting twice, no rows.
   static LuminanceTable read(const std::filesystem::path& file, ScatterKind kind);
   static LuminanceTable parse(std::string_view text, std::string name, ScatterKind kind);
 };

@@ -40,7 +40,6 @@ class Resampler {
   std::vector<std::string> remarks() const;
 
  private:
-  std::vector<double> grid_weights(double sigma) const;
   std::vector<ResampledPoint> resampled(ScatterKind kind, double psi, double sigma);
   void unbias(std::vector<ResampledPoint>& points) const;
   template <typename Value>

@@ -6,12 +6,16 @@
 #include <fmt/format.h>
 
 #include "core/base/units.h"
+#include "core/config/csv_numbers.h"
 #include "tracer/polarized_bsdf/bsdf_grid.h"
-#include "tracer/polarized_bsdf/csv_numbers.h"
 #include "tracer/polarized_bsdf/csv_units.h"
 #include "tracer/polarized_bsdf/grid_check.h"
+#include "tracer/polarized_bsdf/hdf5_table.h"
 #include "tracer/polarized_bsdf/mueller_check.h"
+#include "tracer/polarized_bsdf/mueller_energy.h"
 #include "tracer/polarized_bsdf/sampled_bsdf.h"
+#include "tracer/polarized_bsdf/sampled_mueller.h"
+#include "tracer/polarized_bsdf/stored_table.h"
 #include "tracer/polarized_bsdf/table_symmetry.h"
 
 namespace evenglow::tracer {
@@ -30,16 +34,16 @@ class Checker {
       : text_(text), name_(name), options_(options) {}
 
   TableCheck run() {
-    if (const auto fault = unit_fault(text_, name_, true)) result_.faults.push_back(*fault);
     try {
-      const CsvNumbers rows = CsvNumbers::parse(text_, name_, bsdf_columns(), bsdf_row_fault);
-      std::vector<core::Fault> faults = grid_faults(rows);
-      std::ranges::move(faults, std::back_inserter(result_.faults));
-      if (faults.empty()) check_values(rows, BsdfTable::parse(text_, name_));
+      if (names_hdf5(name_)) {
+        const StoredTable table = parse_hdf5_table(text_, name_);
+        check_table(table.rows(), table);
+      } else {
+        check_csv();
+      }
     } catch (const core::ConfigError& error) {
       result_.faults.insert(result_.faults.end(), error.faults().begin(), error.faults().end());
     }
-    if (!text_.empty() && text_.back() != '\n') remark("the last line has no end: is the file whole?");
     return std::move(result_);
   }
 
@@ -50,9 +54,53 @@ class Checker {
     result_.faults.push_back({name_, line, line > 0 ? 1 : 0, {}, std::move(message)});
   }
 
-  void check_values(const CsvNumbers& rows, const BsdfTable& table) {
+  void check_csv() {
+    if (const auto fault = unit_fault(text_, name_, true)) result_.faults.push_back(*fault);
+    const StoredForm form = is_mueller_file(text_) ? StoredForm::mueller : StoredForm::diattenuator;
+    const core::CsvNumbers rows = core::CsvNumbers::parse(text_, name_, columns_of(form), row_check_of(form));
+    std::vector<core::Fault> faults = grid_faults(rows);
+    const bool whole = faults.empty();
+    std::ranges::move(faults, std::back_inserter(result_.faults));
+    // Where the units are others the values say nothing.
+    if (whole && !unit_fault(text_, name_, false)) check_table(rows, parse_csv_table(text_, name_));
+    if (!text_.empty() && text_.back() != '\n') remark("the last line has no end: is the file whole?");
+  }
+
+  void check_table(const core::CsvNumbers& rows, const StoredTable& stored) {
     order_ = sort_to_grid(rows).order;
-    const std::vector<IncidenceEnergy> energies = incidence_energies(table, options_.pass_index);
+    const auto totals = [&](double lambda) -> std::optional<HemisphericalTable> {
+      if (options_.hemispherical == nullptr) return std::nullopt;
+      return options_.hemispherical->at_wavelength(lambda);
+    };
+    if (stored.form == StoredForm::mueller) {
+      const MuellerTable table(stored);
+      check_values(rows, table.intensities(), mueller_energies(table, options_.pass_index));
+      add_sampler_remarks(table.axes().lambda_nm, [&](double lambda) {
+        const auto h = totals(lambda);
+        return SampledMueller(table, lambda, h ? &*h : nullptr, options_.pass_index).remarks();
+      });
+    } else {
+      const BsdfTable table = BsdfTable::from_stored(stored);
+      check_values(rows, table, incidence_energies(table, options_.pass_index));
+      add_sampler_remarks(table.axes().lambda_nm, [&](double lambda) {
+        const auto h = totals(lambda);
+        return SampledBsdf(table, lambda, h ? &*h : nullptr, options_.pass_index).remarks();
+      });
+    }
+  }
+
+  template <typename Remarks>
+  void add_sampler_remarks(const std::vector<double>& wavelengths, const Remarks& remarks) {
+    if (!result_.faults.empty()) return;
+    for (const double lambda : wavelengths) {
+      for (const std::string& text : remarks(lambda)) {
+        result_.remarks.push_back(fmt::format("{} ({} nm)", text, lambda));
+      }
+    }
+  }
+
+  void check_values(const core::CsvNumbers& rows, const BsdfTable& table,
+                    const std::vector<IncidenceEnergy>& energies) {
     collect(table, energies);
     for (const IncidenceEnergy& e : energies) check_energy(rows, table, e);
     check_axes(table, energies);
@@ -66,13 +114,6 @@ class Checker {
       if (mirrored.mean_difference > kNotableAsymmetry) {
         remark(fmt::format("{}: S differs by {:.1f} % on average from S mirrored in psi and phi", kind_name(kind),
                            100.0 * mirrored.mean_difference));
-      }
-    }
-    if (!result_.faults.empty()) return;
-    for (const double lambda : table.axes().lambda_nm) {
-      const SampledBsdf sampled(table, lambda, options_.hemispherical, options_.pass_index);
-      for (const std::string& text : sampled.remarks()) {
-        result_.remarks.push_back(fmt::format("{} ({} nm)", text, lambda));
       }
     }
   }
@@ -98,11 +139,12 @@ class Checker {
                        table.axes().sigma[e.sigma] / core::kRadPerDeg, table.axes().lambda_nm[e.lambda]);
   }
 
-  void check_energy(const CsvNumbers& rows, const BsdfTable& table, const IncidenceEnergy& e) {
+  void check_energy(const core::CsvNumbers& rows, const BsdfTable& table, const IncidenceEnergy& e) {
     const std::string where = incidence_text(table, e);
     const int line = line_of(rows, table, kind_with_most(table), e.psi, e.sigma, 0, 0, e.lambda);
     if (options_.hemispherical != nullptr) {
-      const HemisphericalTable::Row h = options_.hemispherical->at(table.axes().sigma[e.sigma]);
+      const HemisphericalTable::Row h =
+          options_.hemispherical->at_wavelength(table.axes().lambda_nm[e.lambda]).at(table.axes().sigma[e.sigma]);
       const double pass = (h.reflectance_pass + h.transmittance_pass) / (e.reflectance_pass + e.transmittance_pass);
       const double block =
           (h.reflectance_block + h.transmittance_block) / (e.reflectance_block + e.transmittance_block);
@@ -141,25 +183,33 @@ class Checker {
     }
   }
 
-  void check_reciprocity(const CsvNumbers& rows, const BsdfTable& table, ScatterKind kind) {
+  void check_reciprocity(const core::CsvNumbers& rows, const BsdfTable& table, ScatterKind kind) {
     const Agreement found = reciprocity(table, kind);
     const NodeComparison& w = found.worst;
     const int line = line_of(rows, table, kind, w.psi, w.sigma, w.phi, w.theta, w.lambda);
     const double ratio = std::max(w.ratio, 1.0 / w.ratio);
+    const std::string where = line > 0 ? "here" : node_text(table, w);
     if (found.mean_difference > options_.reciprocity_tolerance) {
-      fault(line,
-            fmt::format("{} must be reciprocal within {} on average (weighted by projected solid angle), got "
-                        "{:.3f} over {} pairs; worst here, a factor of {:.3g}",
-                        kind_name(kind), options_.reciprocity_tolerance, found.mean_difference, found.pairs, ratio));
+      fault(line, fmt::format("{} must be reciprocal within {} on average (weighted by projected solid angle), got "
+                              "{:.3f} over {} pairs; worst {}, a factor of {:.3g}",
+                              kind_name(kind), options_.reciprocity_tolerance, found.mean_difference, found.pairs,
+                              where, ratio));
     } else if (ratio > kWorstRatio) {
-      fault(line, fmt::format("{} must be within a factor of {} of the reversed path, got {:.3g}", kind_name(kind),
-                              kWorstRatio, ratio));
+      fault(line, fmt::format("{} must be within a factor of {} of the reversed path, got {:.3g} {}", kind_name(kind),
+                              kWorstRatio, ratio, where));
     }
   }
 
+  static std::string node_text(const BsdfTable& table, const NodeComparison& w) {
+    const BsdfTable::Axes& a = table.axes();
+    return fmt::format("at psi {:.6g} sigma {:.6g} phi {:.6g} theta {:.6g} lambda {}", a.psi[w.psi] / core::kRadPerDeg,
+                       a.sigma[w.sigma] / core::kRadPerDeg, a.phi[w.phi] / core::kRadPerDeg,
+                       a.theta[w.theta] / core::kRadPerDeg, a.lambda_nm[w.lambda]);
+  }
+
   /// Line of a node: rows sorted to the grid are kind, lambda, psi, sigma, theta, phi.
-  int line_of(const CsvNumbers& rows, const BsdfTable& table, ScatterKind kind, std::size_t psi, std::size_t sigma,
-              std::size_t phi, std::size_t theta, std::size_t lambda) const {
+  int line_of(const core::CsvNumbers& rows, const BsdfTable& table, ScatterKind kind, std::size_t psi,
+              std::size_t sigma, std::size_t phi, std::size_t theta, std::size_t lambda) const {
     const BsdfTable::Axes& a = table.axes();
     const bool second = kind == ScatterKind::transmission && table.has(ScatterKind::reflection);
     std::size_t index = (second ? a.lambda_nm.size() : 0) + lambda;
@@ -178,7 +228,6 @@ class Checker {
 }  // namespace
 
 TableCheck check_table(std::string_view text, const std::string& name, const TableCheckOptions& options) {
-  if (is_mueller_file(text)) return {mueller_faults(text, name), {}, {}};
   return Checker(text, name, options).run();
 }
 

@@ -34,14 +34,18 @@ struct TableCheck {
   std::vector<HemisphericalLine> hemispherical;  ///< lambda slowest; empty if the table could not be read
 };
 
-/// Is a BSDF table physical and whole? Faults: what `CsvNumbers` and `BsdfTable` refuse (so 0 <= tau_min <= tau_max, 0
+/// Is a BSDF table physical and whole? Faults: what `core::CsvNumbers` and `BsdfTable` refuse (so 0 <= tau_min <=
+/// tau_max, 0
 /// <= kappa <= 1, which is the same as a coherency matrix without negative eigenvalue: those of this form are 0, 0 and
 /// (t+ +- sqrt(t-^2 + 4 c^2)) / 4), units, repeated and missing nodes, rows out of order, energy, reciprocity beyond
 /// the tolerance or beyond a factor of 10 anywhere. Remarks: energy within the tolerance, mirror symmetry, pass and
 /// block axis exchanged, what the sampler will do.
 ///
-/// A file with the column m00 is checked as Mueller matrices instead: least eigenvalue of each coherency matrix at
-/// least -1e-6 of its trace.
+/// A table of Mueller matrices (column m00) passes the same checks with its own forms: least eigenvalue of each
+/// coherency matrix at least -1e-6 of its trace; R + T of the polarization that has most over the whole Poincare
+/// sphere; reciprocity and mirror symmetry of m00.
+///
+/// A name that ends in .h5 or .hdf5 makes `text` the bytes of an HDF5 file (`parse_hdf5_table`).
 TableCheck check_table(std::string_view text, const std::string& name, const TableCheckOptions& options = {});
 
 }  // namespace evenglow::tracer

@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include "core/base/units.h"
-#include "tracer/polarized_bsdf/outgoing_polar.h"
 #include "tracer/polarized_bsdf/pass_axis.h"
 
 namespace evenglow::tracer {
@@ -12,10 +11,7 @@ namespace {
 constexpr int kU = 64;
 constexpr int kPhi = 72;
 
-struct OutgoingPoint {
-  AxisDirection direction;
-  double weight;  ///< projected solid angle
-};
+}  // namespace
 
 std::vector<OutgoingPoint> outgoing_points(double sigma) {
   const double c2 = std::cos(sigma) * std::cos(sigma);
@@ -32,8 +28,6 @@ std::vector<OutgoingPoint> outgoing_points(double sigma) {
   }
   return points;
 }
-
-}  // namespace
 
 std::vector<IncidenceEnergy> incidence_energies(const BsdfTable& table, double pass_index) {
   const BsdfTable::Axes& axes = table.axes();

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "tracer/polarized_bsdf/bsdf_table.h"
+#include "tracer/polarized_bsdf/outgoing_polar.h"
 
 namespace evenglow::tracer {
 
@@ -15,8 +16,16 @@ struct HemisphereIntegral {
   double along(double c, double s) const { return 0.5 * (S - x * c - y * s); }
 };
 
+/// A direction of the quadrature below, with its projected solid angle.
+struct OutgoingPoint {
+  AxisDirection direction;
+  double weight = 0.0;
+};
+/// Midpoint rule on 64 x 72 points in the coordinates of outgoing_polar.h; `sigma` in rad.
+std::vector<OutgoingPoint> outgoing_points(double sigma);
+
 /// What a table reflects and transmits into the whole hemisphere at one incidence, by the interpolation of `BsdfTable`,
-/// cut at the horizon (midpoint rule on 64 x 72 points in the coordinates of outgoing_polar.h).
+/// cut at the horizon (`outgoing_points`).
 struct IncidenceEnergy {
   std::size_t psi = 0, sigma = 0, lambda = 0;  ///< indices into the table's axes
   std::array<HemisphereIntegral, 2> kinds;     ///< by ScatterKind

@@ -8,6 +8,7 @@
 #include "core/base/units.h"
 #include "tracer/films/film_registry.h"
 #include "tracer/scene/density_file.h"
+#include "tracer/scene/material_keys.h"
 #include "tracer/sources/window_overlap.h"
 
 namespace evenglow::tracer {
@@ -19,28 +20,6 @@ using core::Range;
 constexpr Range kLength = {0.1, 10000.0, false, false};
 constexpr double kDefaultLength = 140.0;
 constexpr double kDefaultWidth = 66.0;
-constexpr double kWavelength = 550.0;  // nm, the peak of V(lambda)
-
-Material read_material(const ConfigNode& node) {
-  Material result = material("pmma", kWavelength);
-  if (node.has("refractive_index")) {
-    if (node.has("material")) {
-      node.fault_at("material", "must be left out where refractive_index is given, got both");
-      node.choice({"material", "material of the plate", material_names(), "pmma"});
-    }
-    result.refractive_index =
-        node.number({"refractive_index", "index of the plate, instead of a material", Range::closed(1.0001, 4), {}});
-    result.absorption = 0.0;
-  } else {
-    const std::string name = node.choice({"material", "material of the plate", material_names(), "pmma"});
-    result = material(name, kWavelength);
-  }
-  const double loss_per_m = result.absorption * core::kMmPerM;
-  result.absorption =
-      node.number({"absorption_per_m", "bulk absorption; default: that of the material, 0 with a refractive_index",
-                   Range::closed(0, 1e5), loss_per_m});
-  return result;
-}
 
 LightGuidePlateSpec read_plate(const ConfigNode& node) {
   LightGuidePlateSpec plate;
@@ -143,6 +122,7 @@ void read_sources(const ConfigNode& backlight, BacklightSpec& spec) {
   if (!spec.plate) place.box.max.z() = place.top;
   for (const ConfigNode& node : nodes) {
     const auto source = source_registry().make(node);
+    const Spectrum spectrum = read_spectrum(node);
     if (!source) continue;
     if (source->kind == "led_row" && !spec.plate) {
       node.fault("an led_row needs a light_guide_plate to stand at, got none");
@@ -152,6 +132,7 @@ void read_sources(const ConfigNode& backlight, BacklightSpec& spec) {
     check_overlap(node, *placed, spec);
     spec.sources.push_back(std::move(placed));
     spec.source_kinds.push_back(source->kind);
+    spec.spectra.push_back(spectrum);
     const auto& reflector = spec.reflectors[static_cast<std::size_t>(source->side)];
     if (source->kind == "led_row" && reflector && reflector->gap < spec.sources.back()->gap()) {
       node.fault_at(
@@ -182,14 +163,14 @@ core::CellGrid active_area(const ConfigNode& node, const Box& area, std::pair<in
 }
 
 /// What the topmost scattering film sends to the viewer must not be shut off by a sheet above it, nor turned aside by a
-/// prism film.
+/// prism film or a sheet that scatters in its bulk.
 bool next_event_works(const BacklightSpec& spec) {
   if (spec.reflectors[static_cast<std::size_t>(Side::kTop)]) return false;
   const auto decides = [](const Film& film) {
-    return film.surface && (film.surface->scatters() || film.surface->redirects());
+    return film.surface ? film.surface->scatters() || film.surface->redirects() : film.sheet->scattering.has_value();
   };
   const auto top = std::find_if(spec.films.rbegin(), spec.films.rend(), decides);
-  return top != spec.films.rend() && top->surface->scatters() && !top->surface->redirects();
+  return top != spec.films.rend() && top->surface && top->surface->scatters() && !top->surface->redirects();
 }
 
 void read_luminance(const ConfigNode& node, BacklightSpec& spec) {
@@ -227,12 +208,15 @@ void read_receivers(const ConfigNode& backlight, BacklightSpec& spec) {
   for (const ConfigNode& node : nodes) {
     const std::string kind = node.choice(
         {"kind",
-         "luminance: of each cell; flux: the energy account (always kept); angular: luminance by viewing direction",
-         {"luminance", "flux", "angular"},
+         "luminance: of each cell; flux: the energy account (always kept); angular: luminance by viewing direction; "
+         "color: chromaticity of each cell of the luminance receiver",
+         {"luminance", "flux", "angular", "color"},
          {}});
     if (!seen.insert(kind).second) node.fault(fmt::format("there must be one {} receiver at most, got another", kind));
     if (kind == "luminance") {
       read_luminance(node, spec);
+    } else if (kind == "color") {
+      spec.color = true;
     } else if (kind == "angular") {
       AngularReceiverSpec angular;
       angular.polar_count =
@@ -274,6 +258,8 @@ BacklightSpec read_backlight(const ConfigNode& backlight) {
   read_reflectors(backlight, spec);
   read_films(backlight, spec);
   read_sources(backlight, spec);
+  spec.wavelengths = static_cast<std::size_t>(backlight.integer(
+      {"wavelengths", "at most so many wavelengths stand for the spectra of the sources", 1, 256, 24}));
   read_receivers(backlight, spec);
   return spec;
 }

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -16,14 +18,15 @@
 #include "tracer/optics/material.h"
 #include "tracer/receivers/luminance_receiver.h"
 #include "tracer/sources/source.h"
+#include "tracer/sources/spectrum.h"
 
 namespace evenglow::tracer {
 
 struct LightGuidePlateSpec {
-  double length = 140.0;   ///< mm, along x
-  double width = 66.0;     ///< mm, along y
-  double thickness = 0.6;  ///< mm
-  Material material;
+  double length = 140.0;                     ///< mm, along x
+  double width = 66.0;                       ///< mm, along y
+  double thickness = 0.6;                    ///< mm
+  std::function<Material(double)> material;  ///< at a wavelength (nm)
 };
 
 struct MicrostructureSpec {
@@ -53,10 +56,13 @@ struct BacklightSpec {
   std::optional<MicrostructureSpec> microstructure;
   std::vector<SourcePointer> sources;
   std::vector<std::string> source_kinds;
+  std::vector<Spectrum> spectra;  ///< of each source
+  std::size_t wavelengths = 24;   ///< at most so many bands stand for them
   std::array<std::optional<Reflector>, kSides> reflectors;
   std::vector<Film> films;  ///< from the plate upwards
   LuminanceReceiverSpec luminance;
   std::optional<AngularReceiverSpec> angular;
+  bool color = false;  ///< chromaticity of each cell of the luminance receiver
 };
 
 /// Reads and checks the map `backlight`. Faults are noted in the document of the node.

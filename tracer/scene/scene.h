@@ -9,10 +9,12 @@
 #include "tracer/geometry/mesh.h"
 #include "tracer/geometry/ray_caster.h"
 #include "tracer/optics/bsdf.h"
+#include "tracer/optics/volume_scattering.h"
 #include "tracer/receivers/angular_receiver.h"
 #include "tracer/receivers/flux_receiver.h"
 #include "tracer/receivers/luminance_receiver.h"
 #include "tracer/scene/backlight_spec.h"
+#include "tracer/scene/spectral_bands.h"
 #include "tracer/sources/source.h"
 
 namespace evenglow::tracer {
@@ -44,12 +46,21 @@ struct Body {
   double refractive_index = 1.0;
   double absorption = 0.0;  ///< 1/mm
   int part = 0;
+  std::optional<VolumeScattering> scattering{};
 };
 
 /// Specular films between the viewed scatterer and the viewer, from below: a thin surface, or a sheet.
 struct ViewedFilm {
   const Bsdf* surface = nullptr;
   std::optional<DielectricSheet> sheet;
+};
+
+/// All that the wavelength decides, for one band of wavelengths.
+struct SceneOptics {
+  std::vector<Surface> surfaces;  ///< of each quad
+  std::vector<Body> bodies;
+  std::vector<ViewedFilm> viewed_films;
+  std::vector<std::unique_ptr<const Bsdf>> owned;  ///< what was made for this wavelength
 };
 
 /// Where the photons of a source start: on a quad of their own, on one of a row of quads (the photon's `quad` counts
@@ -65,12 +76,10 @@ struct Scene {
   BacklightSpec spec;  ///< owns films, reflectors, shapes and sources
   Box box;             ///< what leaves it has left the backlight
   std::unique_ptr<RayCaster> caster;
-  std::vector<Surface> surfaces;  ///< of each quad
-  std::vector<Body> bodies;
-  std::vector<std::unique_ptr<const Bsdf>> faces;  ///< the dielectric faces
+  SpectralBands bands;
+  std::vector<SceneOptics> optics;                 ///< of each band
   std::vector<SourcePlacement> source_placements;  ///< of each source
   double flux = 0.0;                               ///< lm, all sources
-  std::vector<ViewedFilm> viewed_films;
   LuminanceReceiver luminance;
   FluxReceiver energy;
   std::optional<AngularReceiver> angular;

@@ -10,35 +10,22 @@ namespace {
 
 using core::Vec3;
 
-/// Collects quads and surfaces of the scene under construction.
+/// Collects quads and surfaces of the scene for one wavelength; quads, parts and placements are alike for all.
 class SceneBuilder {
  public:
-  explicit SceneBuilder(BacklightSpec spec) : spec_(std::move(spec)) {}
-
-  Scene build() {
+  SceneBuilder(const BacklightSpec& spec, double wavelength) : spec_(spec), wavelength_(wavelength) {
     box_ = interior();
     if (spec_.plate) add_plate();
     for (int i = 0; i < kSides; ++i) add_reflector(static_cast<Side>(i));
     add_films();
     for (std::size_t i = 0; i < spec_.sources.size(); ++i) add_source(i);
-    double flux = 0.0;
-    for (const auto& source : spec_.sources) flux += source->flux();
-    std::optional<AngularReceiver> angular;
-    if (spec_.angular) angular.emplace(spec_.angular->polar_count, spec_.angular->azimuth_count);
-    const LuminanceReceiver luminance(spec_.luminance.cells, spec_.luminance.cone);
-    return Scene{std::move(spec_),
-                 box_,
-                 std::make_unique<RayCaster>(std::move(quads_)),
-                 std::move(surfaces_),
-                 std::move(bodies_),
-                 std::move(faces_),
-                 std::move(source_placements_),
-                 flux,
-                 std::move(viewed_films_),
-                 luminance,
-                 FluxReceiver(std::move(parts_)),
-                 angular};
   }
+
+  const Box& box() const { return box_; }
+  SceneOptics take_optics() { return std::move(optics_); }
+  std::vector<Quad> take_quads() { return std::move(quads_); }
+  std::vector<std::string> take_parts() { return std::move(parts_); }
+  std::vector<SourcePlacement> take_source_placements() { return std::move(source_placements_); }
 
  private:
   int part(std::string name) {
@@ -52,7 +39,7 @@ class SceneBuilder {
     surface.x = std::abs(surface.normal.z()) > 0.5 ? Vec3::UnitX() : Vec3(quad.u.normalized());
     surface.y = surface.normal.cross(surface.x);
     quads_.push_back(quad);
-    surfaces_.push_back(std::move(surface));
+    optics_.surfaces.push_back(std::move(surface));
     return static_cast<int>(quads_.size()) - 1;
   }
 
@@ -69,26 +56,26 @@ class SceneBuilder {
     return box;
   }
 
-  void add_body(const Box& body, double index, double absorption, int body_part) {
-    const int id = static_cast<int>(bodies_.size());
-    bodies_.push_back({index, absorption, body_part});
-    faces_.push_back(std::make_unique<DielectricFace>(index, 1.0));
+  void add_body(const Box& place, const Body& body) {
+    const int id = static_cast<int>(optics_.bodies.size());
+    optics_.bodies.push_back(body);
+    optics_.owned.push_back(std::make_unique<DielectricFace>(body.refractive_index, 1.0));
     for (int i = 0; i < kSides; ++i) {
       Surface surface;
-      surface.optics = faces_.back().get();
-      surface.part = body_part;
+      surface.optics = optics_.owned.back().get();
+      surface.part = body.part;
       surface.body = id;
-      add(side_of(body, static_cast<Side>(i)), std::move(surface));
+      add(side_of(place, static_cast<Side>(i)), std::move(surface));
     }
   }
 
   void add_plate() {
-    add_body(spec_.area, spec_.plate->material.refractive_index, spec_.plate->material.absorption,
-             part("light_guide_plate"));
+    const Material material = spec_.plate->material(wavelength_);
+    add_body(spec_.area, {material.refractive_index, material.absorption, part("light_guide_plate")});
     if (!spec_.microstructure) return;
-    Surface& face = surfaces_[static_cast<std::size_t>(spec_.microstructure->face)];
-    faces_.push_back(spec_.microstructure->shape.optics(spec_.plate->material.refractive_index));
-    face.pattern = faces_.back().get();
+    Surface& face = optics_.surfaces[static_cast<std::size_t>(spec_.microstructure->face)];
+    optics_.owned.push_back(spec_.microstructure->shape.optics(material.refractive_index));
+    face.pattern = optics_.owned.back().get();
     face.pattern_part = part("microstructure");
   }
 
@@ -103,6 +90,15 @@ class SceneBuilder {
     reflector_quads_[static_cast<std::size_t>(side)] = add(side_of(box_, side), std::move(surface));
   }
 
+  /// The film at this wavelength; a surface made for it is owned by the optics.
+  std::pair<const Bsdf*, std::optional<DielectricSheet>> optics_of(const Film& film) {
+    if (!film.at_wavelength) return {film.surface.get(), film.sheet};
+    FilmOptics made = film.at_wavelength(wavelength_);
+    const Bsdf* thin = made.surface.get();
+    if (made.surface) optics_.owned.push_back(std::move(made.surface));
+    return {thin, made.sheet};
+  }
+
   void add_films() {
     int viewed = -1;
     for (std::size_t i = 0; i < spec_.films.size(); ++i) {
@@ -115,18 +111,19 @@ class SceneBuilder {
       z += film.gap;
       Box place = box_;
       place.min.z() = place.max.z() = z;
-      if (film.sheet) {
-        place.max.z() = z += film.sheet->thickness;
-        add_body(place, film.sheet->refractive_index, film.sheet->absorption, film_part);
+      const auto [thin, sheet] = optics_of(film);
+      if (sheet) {
+        place.max.z() = z += sheet->thickness;
+        add_body(place, {sheet->refractive_index, sheet->absorption, film_part, sheet->scattering});
       } else {
         Surface surface;
-        surface.optics = film.surface.get();
+        surface.optics = thin;
         surface.part = film_part;
         surface.is_viewed_scatterer =
             static_cast<int>(i) == viewed && spec_.luminance.estimator == LuminanceEstimator::kNextEvent;
         add(side_of(place, Side::kTop), std::move(surface));
       }
-      if (static_cast<int>(i) > viewed && viewed >= 0) viewed_films_.push_back({film.surface.get(), film.sheet});
+      if (static_cast<int>(i) > viewed && viewed >= 0) optics_.viewed_films.push_back({thin, sheet});
     }
   }
 
@@ -144,7 +141,7 @@ class SceneBuilder {
     const auto& reflector = spec_.reflectors[static_cast<std::size_t>(side)];
     if (reflector && reflector->gap == source.gap()) {
       const int quad = reflector_quads_[static_cast<std::size_t>(side)];
-      Surface& surface = surfaces_[static_cast<std::size_t>(quad)];
+      Surface& surface = optics_.surfaces[static_cast<std::size_t>(quad)];
       for (const SourceWindow& window : windows) {
         Vec3 a = Vec3::Zero();
         Vec3 b = Vec3::Zero();
@@ -175,17 +172,21 @@ class SceneBuilder {
     }
   }
 
-  BacklightSpec spec_;
+  const BacklightSpec& spec_;
+  double wavelength_;
   Box box_;
   std::vector<Quad> quads_;
-  std::vector<Surface> surfaces_;
-  std::vector<Body> bodies_;
-  std::vector<std::unique_ptr<const Bsdf>> faces_;
+  SceneOptics optics_;
   std::vector<std::string> parts_;
   std::vector<SourcePlacement> source_placements_;
-  std::vector<ViewedFilm> viewed_films_;
   std::array<int, kSides> reflector_quads_{-1, -1, -1, -1, -1, -1};
 };
+
+SpectralBands bands_of(const BacklightSpec& spec) {
+  std::vector<double> fluxes;
+  for (const auto& source : spec.sources) fluxes.push_back(source->flux());
+  return {spec.spectra, fluxes, spec.wavelengths, spec.color};
+}
 
 }  // namespace
 
@@ -202,7 +203,27 @@ DensityField initial_density(const BacklightSpec& spec) {
 }
 
 Scene compile_scene(BacklightSpec spec) {
-  return SceneBuilder(std::move(spec)).build();
+  SpectralBands bands = bands_of(spec);
+  SceneBuilder first(spec, bands.wavelength(0));
+  std::vector<SceneOptics> optics;
+  optics.push_back(first.take_optics());
+  for (std::size_t b = 1; b < bands.size(); ++b)
+    optics.push_back(SceneBuilder(spec, bands.wavelength(b)).take_optics());
+  double flux = 0.0;
+  for (const auto& source : spec.sources) flux += source->flux();
+  std::optional<AngularReceiver> angular;
+  if (spec.angular) angular.emplace(spec.angular->polar_count, spec.angular->azimuth_count);
+  const LuminanceReceiver luminance(spec.luminance.cells, spec.luminance.cone);
+  return Scene{std::move(spec),
+               first.box(),
+               std::make_unique<RayCaster>(first.take_quads()),
+               std::move(bands),
+               std::move(optics),
+               first.take_source_placements(),
+               flux,
+               luminance,
+               FluxReceiver(first.take_parts()),
+               angular};
 }
 
 }  // namespace evenglow::tracer

@@ -1,9 +1,12 @@
 #include "tracer/sources/led_row.h"
 
+#include <algorithm>
+
 #include <fmt/core.h>
 
-#include "core/math/sampling.h"
 #include "tracer/optics/opaque_reflector.h"
+#include "tracer/sources/led_tolerances.h"
+#include "tracer/sources/pattern_keys.h"
 
 namespace evenglow::tracer {
 namespace {
@@ -16,14 +19,18 @@ struct LedRowKeys {
   double height = 0.4;          // mm
   double gap = 0.05;            // mm
   double flux = 9.0;            // lm, of each LED
-  double exponent = 1.0;
+  EmissionPattern pattern = EmissionPattern::cosine_power(1.0);
   double reflectance = 0.5;
+  LedToleranceKeys tolerances;
 };
 
 class LedRow final : public Source {
  public:
   LedRow(const LedRowKeys& keys, const Box& plate)
-      : keys_(keys), axes_(side_axes(keys.edge)), surface_(keys.reflectance, 0.0) {
+      : keys_(keys),
+        axes_(side_axes(keys.edge)),
+        surface_(keys.reflectance, 0.0),
+        tolerances_(draw_tolerances(keys.tolerances, keys.count, keys.flux)) {
     const int a = keys.edge == Side::kLeft || keys.edge == Side::kRight ? 1 : 0;
     const double length = plate.max[a] - plate.min[a];
     pitch_ = keys.pitch.value_or(length / keys.count);
@@ -31,9 +38,14 @@ class LedRow final : public Source {
     center_z_ = 0.5 * (plate.min.z() + plate.max.z());
     plane_ = core::Vec3::Zero();
     plane_[axis_of(keys.edge)] = plate.plane(keys.edge) + (is_upper(keys.edge) ? keys.gap : -keys.gap);
+    flux_ = keys.flux * keys.count;
+    if (tolerances_.fluxes.empty()) return;
+    flux_ = 0.0;
+    for (const double flux : tolerances_.fluxes) cumulative_.push_back(flux_ += flux);
   }
 
-  double flux() const override { return keys_.flux * keys_.count; }
+  double flux() const override { return flux_; }
+  std::string note() const override { return pattern_note(keys_.pattern); }
   Side side() const override { return keys_.edge; }
   double gap() const override { return keys_.gap; }
   const Bsdf* window_surface() const override { return &surface_; }
@@ -41,7 +53,7 @@ class LedRow final : public Source {
   std::vector<SourceWindow> windows() const override {
     std::vector<SourceWindow> result;
     for (int i = 0; i < keys_.count; ++i) {
-      const double along = first_along_ + pitch_ * i;
+      const double along = place(i);
       result.push_back({along - 0.5 * keys_.width, along + 0.5 * keys_.width, center_z_ - 0.5 * keys_.height,
                         center_z_ + 0.5 * keys_.height});
     }
@@ -49,23 +61,38 @@ class LedRow final : public Source {
   }
 
   Photon emit(core::PhotonRng& rng) const override {
-    const int led = std::min(static_cast<int>(rng.uniform() * keys_.count), keys_.count - 1);
-    const double along = first_along_ + pitch_ * led + (rng.uniform() - 0.5) * keys_.width;
+    const int led = choose(rng.uniform());
+    const double along = place(led) + (rng.uniform() - 0.5) * keys_.width;
     const double z = center_z_ + (rng.uniform() - 0.5) * keys_.height;
-    const double u = rng.uniform();
-    const core::Vec3 local = core::sample_cosine_power(u, rng.uniform(), keys_.exponent);
+    const core::Vec3 k = keys_.pattern.sample(rng, axes_);
     Photon photon;
     photon.quad = led;
     photon.position = plane_ + along * axes_.a + z * axes_.b;
-    const core::Vec3 k = local.x() * axes_.a + local.y() * axes_.b + local.z() * axes_.inward;
     photon.light = core::StokesVector::unpolarized(1.0, core::PolarizationFrame::any(k));
     return photon;
   }
 
  private:
+  /// Middle of an LED along the edge (mm).
+  double place(int led) const {
+    const double even = first_along_ + pitch_ * led;
+    return tolerances_.offsets.empty() ? even : even + tolerances_.offsets[static_cast<std::size_t>(led)];
+  }
+
+  /// An LED by its flux; a dark one never.
+  int choose(double u) const {
+    if (cumulative_.empty()) return std::min(static_cast<int>(u * keys_.count), keys_.count - 1);
+    const auto found = std::upper_bound(cumulative_.begin(), cumulative_.end(), u * flux_);
+    const auto last = std::lower_bound(cumulative_.begin(), cumulative_.end(), flux_);
+    return static_cast<int>(std::min(found, last) - cumulative_.begin());
+  }
+
   LedRowKeys keys_;
   SideAxes axes_;
   OpaqueReflector surface_;
+  LedTolerances tolerances_;
+  std::vector<double> cumulative_;  // lm, up to and with each LED; empty: all alike
+  double flux_ = 0.0;               // lm, of the row
   double pitch_ = 0.0;
   double first_along_ = 0.0;
   double center_z_ = 0.0;
@@ -99,6 +126,16 @@ void check_fits(const core::ConfigNode& node, const LedRowKeys& keys, const Box&
     node.fault_at("pitch_mm",
                   fmt::format("the row of {} LEDs must not be longer than the {} edge ({:.6g} mm), got {:.6g} mm",
                               keys.count, edge, length, row));
+  } else if (keys.tolerances.position_spread > 0.0) {
+    // Whatever the seed, no LED may reach its neighbor or stick out.
+    const double reach = kToleranceCut * keys.tolerances.position_spread;
+    const double between = keys.count > 1 ? 0.5 * (pitch - keys.width) : length;
+    const double room = std::min(between, 0.5 * (length - row));
+    if (reach > room + kSlack) {
+      node.fault_at("position_spread_mm", fmt::format("must be at most {:.4g} mm, a third of the room beside each LED, "
+                                                      "got {:.6g} mm",
+                                                      room / kToleranceCut, keys.tolerances.position_spread));
+    }
   }
 }
 
@@ -124,12 +161,11 @@ SourceSpec make_led_row(const core::ConfigNode& node) {
     keys.height = size[1];
   }
   keys.gap = node.number({"gap_mm", "air between window and plate", {0.001, 100.0, false, false}, 0.05});
-  keys.flux = node.number({"flux_lm", "luminous flux of each LED", Range::positive(1e6), 9.0});
-  const std::string pattern =
-      node.choice({"pattern", "angular pattern of the intensity", {"lambertian", "cosine_power"}, "lambertian"});
-  if (pattern == "cosine_power") {
-    keys.exponent = node.number({"exponent", "n of the intensity cos^n", Range::closed(0.1, 1000), 1.0});
-  }
+  keys.pattern = read_emission_pattern(node);
+  keys.flux = node.number({"flux_lm", "luminous flux of each LED; default: that of a pattern_file in cd, else 9",
+                           Range::positive(1e6), 9.0});
+  if (!node.has("flux_lm")) keys.flux = keys.pattern.flux().value_or(keys.flux);
+  keys.tolerances = read_led_tolerances(node, keys.count);
   keys.reflectance =
       node.number({"reflectance", "reflectance of the window for light that comes back to it, Lambertian",
                    Range::closed(0, 1), 0.5});

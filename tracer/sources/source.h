@@ -29,6 +29,8 @@ class Source {
   virtual double gap() const = 0;
   virtual std::vector<SourceWindow> windows() const { return {}; }
   virtual const Bsdf* window_surface() const { return nullptr; }
+  /// What a user should know of data that were not used as they stand; empty: nothing.
+  virtual std::string note() const { return {}; }
 };
 
 /// What a source needs to know of the backlight: the box of the plate (of the film stack if there is no plate), and the

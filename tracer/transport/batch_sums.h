@@ -9,15 +9,27 @@ namespace evenglow::tracer {
 
 /// Sums of one batch for each receiver; a batch writes only its own.
 struct BatchSums {
-  std::vector<double> luminance;    ///< scores, 1/sr
-  std::vector<double> energy;       ///< photons
-  std::vector<double> angular;      ///< photons
+  std::vector<double> luminance;  ///< scores, 1/sr
+  std::vector<double> color_x;    ///< as luminance, for X and Z; empty unless the color is asked for
+  std::vector<double> color_z;
+  std::vector<double> energy;       ///< luminous weight of photons (1 each with one wavelength)
+  std::vector<double> angular;      ///< as energy
   std::vector<double> events{0.0};  ///< surface interactions
 
   explicit BatchSums(const Scene& scene)
       : luminance(scene.luminance.bins()),
+        color_x(scene.spec.color ? scene.luminance.bins() : 0),
+        color_z(scene.spec.color ? scene.luminance.bins() : 0),
         energy(scene.energy.bins()),
         angular(scene.angular ? scene.angular->bins() : 0) {}
+
+  /// Adds a luminance score of a photon that carries the tristimulus values `weight`.
+  void add_luminance(const Score& score, const core::Vec3& weight) {
+    luminance[score.bin] += score.weight * weight.y();
+    if (color_x.empty()) return;
+    color_x[score.bin] += score.weight * weight.x();
+    color_z[score.bin] += score.weight * weight.z();
+  }
 };
 
 }  // namespace evenglow::tracer

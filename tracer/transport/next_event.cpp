@@ -36,12 +36,13 @@ Layer layer_of(const ViewedFilm& film, const Vec3& k) {
 
 NextEvent::NextEvent(const Scene& scene) : scene_(scene) {}
 
-MuellerMatrix NextEvent::transmission(const Vec3& k) const {
+MuellerMatrix NextEvent::transmission(const Vec3& k, std::size_t band) const {
+  const std::vector<ViewedFilm>& films = scene_.optics[band].viewed_films;
   // Adding method: the lower stack (T upwards, R for light from above) below one more film.
   MuellerMatrix T = MuellerMatrix::Identity();
   MuellerMatrix R = MuellerMatrix::Zero();
-  for (std::size_t i = 0; i < scene_.viewed_films.size(); ++i) {
-    const Layer film = layer_of(scene_.viewed_films[i], k);
+  for (std::size_t i = 0; i < films.size(); ++i) {
+    const Layer film = layer_of(films[i], k);
     if (i == 0) {
       T = film.up;
       R = film.reflect_above;
@@ -54,11 +55,11 @@ MuellerMatrix NextEvent::transmission(const Vec3& k) const {
   return T;
 }
 
-Vec3 NextEvent::display_position(const Vec3& position, const Vec3& k) const {
+Vec3 NextEvent::display_position(const Vec3& position, const Vec3& k, std::size_t band) const {
   double height = scene_.box.max.z() - position.z();
   Vec3 shift = Vec3::Zero();
   const double sin2 = 1.0 - k.z() * k.z();
-  for (const ViewedFilm& film : scene_.viewed_films) {
+  for (const ViewedFilm& film : scene_.optics[band].viewed_films) {
     if (!film.sheet) continue;
     const double n = film.sheet->refractive_index;
     height -= film.sheet->thickness;
@@ -72,24 +73,24 @@ bool NextEvent::in_front(const Vec3& seen) const {
   return seen.x() >= box.min.x() && seen.x() <= box.max.x() && seen.y() >= box.min.y() && seen.y() <= box.max.y();
 }
 
-bool NextEvent::sees(const Vec3& position, const Vec3& k) const {
-  return k.z() > 0.0 && in_front(display_position(position, k));
+bool NextEvent::sees(const Vec3& position, const Vec3& k, std::size_t band) const {
+  return k.z() > 0.0 && in_front(display_position(position, k, band));
 }
 
 std::optional<Score> NextEvent::score(const Bsdf& surface, const core::StokesVector& light, const Vec3& position,
-                                      core::PhotonRng& rng) const {
+                                      std::size_t band, core::PhotonRng& rng) const {
   const double u1 = rng.uniform();
   const Vec3 k = core::sample_cosine_cone(u1, rng.uniform(), scene_.luminance.sin_cone());
-  const Vec3 seen = display_position(position, k);
+  const Vec3 seen = display_position(position, k, band);
   if (!in_front(seen)) return {};
   const int bin = scene_.luminance.cells().index_at(seen.x(), seen.y());
   if (bin < 0) return {};
   const core::StokesVector scattered = surface.evaluate(light, k);
   if (scattered.I <= 0.0) return {};
   double power = scattered.I;
-  if (!scene_.viewed_films.empty()) {
+  if (!scene_.optics[band].viewed_films.empty()) {
     const Eigen::Vector4d s = to_film(scattered, tangential_frame(k));
-    power = transmission(k).row(0).dot(s);
+    power = transmission(k, band).row(0).dot(s);
   }
   return Score{static_cast<std::size_t>(bin), power};
 }

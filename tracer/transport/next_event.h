@@ -20,20 +20,20 @@ class NextEvent {
 
   /// Score (1/sr) and bin for light that meets the scatterer `surface` at `position`; the direction of view is drawn
   /// from the receiver's cone with density ~ cos. Empty: outside the active area, or nothing goes there.
-  /// `light` is in the surface's frame, which for films is that of the backlight.
+  /// `light` is in the surface's frame, which for films is that of the backlight; `band`: its wavelength.
   std::optional<Score> score(const Bsdf& surface, const core::StokesVector& light, const core::Vec3& position,
-                             core::PhotonRng& rng) const;
+                             std::size_t band, core::PhotonRng& rng) const;
 
   /// Does light that leaves the scatterer at `position` along k go straight up to the viewer, past no side wall and no
   /// edge of a sheet? Only such light is estimated; a photon scattered otherwise must be counted where it leaves.
-  bool sees(const core::Vec3& position, const core::Vec3& k) const;
+  bool sees(const core::Vec3& position, const core::Vec3& k, std::size_t band) const;
 
   /// Transmission (tangential count) of the specular films above for light that travels along k, k.z > 0.
-  core::MuellerMatrix transmission(const core::Vec3& k) const;
+  core::MuellerMatrix transmission(const core::Vec3& k, std::size_t band) const;
 
  private:
   bool in_front(const core::Vec3& seen) const;
-  core::Vec3 display_position(const core::Vec3& position, const core::Vec3& k) const;
+  core::Vec3 display_position(const core::Vec3& position, const core::Vec3& k, std::size_t band) const;
 
   const Scene& scene_;
 };

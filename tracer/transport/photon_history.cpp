@@ -40,9 +40,13 @@ void renormalize(core::PolarizationFrame& frame) {
 }  // namespace
 
 PhotonHistory::PhotonHistory(const Scene& scene, const DensityField& density)
-    : scene_(scene), density_(density), next_event_(scene), faces_(scene.bodies.size()) {
-  for (std::size_t quad = 0; quad < scene.surfaces.size(); ++quad) {
-    const int body = scene.surfaces[quad].body;
+    : scene_(scene),
+      quads_(scene.optics.front().surfaces),
+      density_(density),
+      next_event_(scene),
+      faces_(scene.optics.front().bodies.size()) {
+  for (std::size_t quad = 0; quad < quads_.size(); ++quad) {
+    const int body = quads_[quad].body;
     if (body >= 0) faces_[static_cast<std::size_t>(body)].push_back(static_cast<int>(quad));
   }
 }
@@ -58,32 +62,37 @@ void PhotonHistory::run(const core::RandomKey& key, std::uint64_t photon_index, 
 }
 
 PhotonHistory::Walk PhotonHistory::start(core::PhotonRng& rng) const {
-  Walk walk;
-  walk.photon = emit(rng);
+  Walk walk = emit(rng);
   walk.optical_depth = -std::log(rng.uniform());
   return walk;
 }
 
-Photon PhotonHistory::emit(core::PhotonRng& rng) const {
+PhotonHistory::Walk PhotonHistory::emit(core::PhotonRng& rng) const {
   const auto& sources = scene_.spec.sources;
   std::size_t chosen = 0;
   if (sources.size() > 1) {
     double at = rng.uniform() * scene_.flux;
     while (chosen + 1 < sources.size() && at >= sources[chosen]->flux()) at -= sources[chosen++]->flux();
   }
-  Photon photon = sources[chosen]->emit(rng);
+  Walk walk;
+  walk.photon = sources[chosen]->emit(rng);
   const SourcePlacement& place = scene_.source_placements[chosen];
-  photon.quad = place.quad_per_window ? place.first_quad + photon.quad : place.first_quad;
-  return photon;
+  walk.photon.quad = place.quad_per_window ? place.first_quad + walk.photon.quad : place.first_quad;
+  if (scene_.bands.size() > 1) {
+    const SpectralBands::Choice choice = scene_.bands.choose(chosen, rng.uniform());
+    walk.band = choice.band;
+    walk.weight = choice.weight;
+  }
+  return walk;
 }
 
 bool PhotonHistory::can_meet(const Photon& photon, int quad) const {
   if (quad == photon.quad) return false;
-  const int body = scene_.surfaces[static_cast<std::size_t>(quad)].body;
+  const int body = quads_[static_cast<std::size_t>(quad)].body;
   if (photon.body < 0 && body < 0) return true;
-  const double slope = scene_.surfaces[static_cast<std::size_t>(quad)].normal.dot(photon.light.frame.k);
+  const double slope = quads_[static_cast<std::size_t>(quad)].normal.dot(photon.light.frame.k);
   if (photon.body >= 0) return body == photon.body && slope > 0.0;
-  const int left_body = photon.quad >= 0 ? scene_.surfaces[static_cast<std::size_t>(photon.quad)].body : -1;
+  const int left_body = photon.quad >= 0 ? quads_[static_cast<std::size_t>(photon.quad)].body : -1;
   return body != left_body && slope < 0.0;
 }
 
@@ -128,14 +137,30 @@ void PhotonHistory::escape(const Walk& walk, BatchSums& sums) const {
   const double distance = (scene_.box.plane(crossing.side) - photon.position[axis]) / crossing.k[axis];
   crossing.position = photon.position + (std::isfinite(distance) ? distance : 0.0) * crossing.k;
   crossing.estimated = walk.estimated;
-  if (const auto score = scene_.luminance.score(crossing)) sums.luminance[score->bin] += score->weight;
-  if (const auto score = scene_.energy.score(crossing)) sums.energy[score->bin] += score->weight;
+  const double flux = walk.weight.y();
+  if (const auto score = scene_.luminance.score(crossing)) sums.add_luminance(*score, walk.weight);
+  if (const auto score = scene_.energy.score(crossing)) sums.energy[score->bin] += score->weight * flux;
   if (!scene_.angular) return;
-  if (const auto score = scene_.angular->score(crossing)) sums.angular[score->bin] += score->weight;
+  if (const auto score = scene_.angular->score(crossing)) sums.angular[score->bin] += score->weight * flux;
+}
+
+bool PhotonHistory::scatters_within(Walk& walk, const Body& body, double distance, core::PhotonRng& rng) const {
+  Photon& photon = walk.photon;
+  const double way = body.scattering->free_path(rng);
+  if (way >= distance) return false;
+  walk.optical_depth -= body.absorption * way;
+  photon.position += way * photon.light.frame.k;
+  photon.light = body.scattering->scatter(photon.light, rng);
+  if (++walk.events % kEventsPerRenormalization == 0) renormalize(photon.light.frame);
+  photon.quad = -1;
+  walk.corner = -1;
+  walk.estimated = false;
+  return true;
 }
 
 bool PhotonHistory::step(Walk& walk, core::PhotonRng& rng, BatchSums& sums) const {
   Photon& photon = walk.photon;
+  const SceneOptics& optics = scene_.optics[walk.band];
   const RayHit hit = next_hit(walk);
   if (!consistent(photon, hit)) {
     sums.energy[scene_.energy.lost_bin(LossReason::kLeak)] += 1.0;
@@ -146,32 +171,34 @@ bool PhotonHistory::step(Walk& walk, core::PhotonRng& rng, BatchSums& sums) cons
     return false;
   }
   if (photon.body >= 0) {
-    const Body& body = scene_.bodies[static_cast<std::size_t>(photon.body)];
-    walk.optical_depth -= body.absorption * hit.distance;
+    const Body& body = optics.bodies[static_cast<std::size_t>(photon.body)];
+    const bool scattered = body.scattering && scatters_within(walk, body, hit.distance, rng);
+    if (!scattered) walk.optical_depth -= body.absorption * hit.distance;
     if (walk.optical_depth <= 0.0) {
-      sums.energy[scene_.energy.absorbed_bin(body.part)] += 1.0;
+      sums.energy[scene_.energy.absorbed_bin(body.part)] += walk.weight.y();
       return false;
     }
+    if (scattered) return true;
   }
-  const Surface& surface = scene_.surfaces[static_cast<std::size_t>(hit.quad)];
+  const Surface& surface = optics.surfaces[static_cast<std::size_t>(hit.quad)];
   const Encounter encounter = meet(surface, hit.position, rng);
   const StokesVector light = to_local(surface, photon.light);
   if (surface.is_viewed_scatterer) {
     for (int i = 0; i < NextEvent::kDirections; ++i) {
-      if (const auto score = next_event_.score(*encounter.optics, light, hit.position, rng)) {
-        sums.luminance[score->bin] += score->weight / NextEvent::kDirections;
+      if (const auto score = next_event_.score(*encounter.optics, light, hit.position, walk.band, rng)) {
+        sums.add_luminance({score->bin, score->weight / NextEvent::kDirections}, walk.weight);
       }
     }
   }
   const double k_before = light.frame.k.z();
   const auto sample = encounter.optics->sample(light, rng);
   if (!sample) {
-    sums.energy[scene_.energy.absorbed_bin(encounter.part)] += 1.0;
+    sums.energy[scene_.energy.absorbed_bin(encounter.part)] += walk.weight.y();
     return false;
   }
   const bool crosses = k_before * sample->light.frame.k.z() > 0.0;
   if (surface.is_viewed_scatterer) {
-    walk.estimated = !sample->specular && next_event_.sees(hit.position, sample->light.frame.k);
+    walk.estimated = !sample->specular && next_event_.sees(hit.position, sample->light.frame.k, walk.band);
   } else if (!sample->specular) {
     walk.estimated = false;
   }

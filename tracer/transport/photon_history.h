@@ -26,6 +26,8 @@ class PhotonHistory {
     int events = 0;              ///< survived so far
     int corner = -1;             ///< the quad met before the photon's last, if both were met at one point; else -1
     bool estimated = false;      ///< the last event was a scatter whose way out was estimated
+    std::size_t band = 0;        ///< its wavelength
+    core::Vec3 weight = core::Vec3::Ones();  ///< X, Y, Z that it carries (`SpectralBands::Choice`)
   };
   /// A photon as it leaves its source.
   Walk start(core::PhotonRng& rng) const;
@@ -42,7 +44,9 @@ class PhotonHistory {
     int part = 0;
   };
 
-  Photon emit(core::PhotonRng& rng) const;
+  Walk emit(core::PhotonRng& rng) const;
+  /// Does the photon scatter in the bulk of its body within `distance`? Then it is turned there.
+  bool scatters_within(Walk& walk, const Body& body, double distance, core::PhotonRng& rng) const;
   /// Nearest surface: of the few faces of the body that the photon is in, else by the ray caster. A hit of the latter
   /// that contradicts where the photon is, is searched for anew in double precision; so is one that leads back and
   /// forth in a corner, where a point lies on both quads and a ray away from one seems to meet it.
@@ -55,6 +59,7 @@ class PhotonHistory {
   void escape(const Walk& walk, BatchSums& sums) const;
 
   const Scene& scene_;
+  const std::vector<Surface>& quads_;  ///< surfaces of the first wavelength: where they lie is the same for all
   const DensityField& density_;
   NextEvent next_event_;
   std::vector<std::vector<int>> faces_;  ///< of each body: its quads

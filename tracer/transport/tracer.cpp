@@ -73,11 +73,15 @@ std::optional<TraceResult> trace(const Scene& scene, const DensityField& density
   TraceResult result{options.photons,
                      scene.flux,
                      core::Tally(scene.luminance.bins()),
+                     core::Tally(scene.spec.color ? scene.luminance.bins() : 0),
+                     core::Tally(scene.spec.color ? scene.luminance.bins() : 0),
                      core::Tally(scene.energy.bins()),
                      core::Tally(scene.angular ? scene.angular->bins() : 0),
                      0.0};
   for (auto& batch : sums) {
     result.luminance.add_batch(std::move(batch->luminance));
+    result.color_x.add_batch(std::move(batch->color_x));
+    result.color_z.add_batch(std::move(batch->color_z));
     result.energy.add_batch(std::move(batch->energy));
     result.angular.add_batch(std::move(batch->angular));
     result.events += batch->events[0];

@@ -27,9 +27,11 @@ struct TraceResult {
   std::uint64_t photons = 0;
   double flux = 0.0;      ///< lm that the photons share
   core::Tally luminance;  ///< scores, 1/sr
-  core::Tally energy;     ///< photons
-  core::Tally angular;    ///< photons
-  double events = 0.0;    ///< surface interactions in all
+  core::Tally color_x;    ///< as luminance, for the tristimulus values X and Z; no bins unless the color is asked for
+  core::Tally color_z;
+  core::Tally energy;   ///< photons
+  core::Tally angular;  ///< photons
+  double events = 0.0;  ///< surface interactions in all
 };
 
 /// Photons done so far; called from any thread, one call at a time.

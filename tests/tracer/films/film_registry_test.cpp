@@ -28,7 +28,7 @@ std::string faults_of(const std::string& yaml) {
 }
 
 TEST(FilmRegistry, DefaultsOfEachKind) {
-  for (const std::string kind : {"dbef", "lpp", "diffuser"}) {
+  for (const std::string kind : {"dbef", "lpp", "wire_grid", "retarder", "carrier", "diffuser"}) {
     const Film film = film_of("{kind: " + kind + "}");
     EXPECT_EQ(film.kind, kind);
     EXPECT_EQ(film.gap, 0.05);
@@ -54,7 +54,10 @@ TEST(FilmRegistry, TabulatedDbef) {
   ASSERT_TRUE(film.surface);
   EXPECT_TRUE(film.surface->scatters());
   EXPECT_NEAR(film.axis, core::kPi / 2, 1e-12);
-  EXPECT_EQ(film.remarks.size(), 1u);
+  ASSERT_EQ(film.remarks.size(), 2u);
+  EXPECT_THAT(film.remarks[0], HasSubstr("dbef.csv: normalized to the hemispherical table"));
+  EXPECT_EQ(film.remarks[1], "dbef.csv: data at 550 nm alone, used at every wavelength");
+  EXPECT_FALSE(film.at_wavelength);
 }
 
 TEST(FilmRegistry, IdealDbefWithItsOwnPowers) {
@@ -62,6 +65,30 @@ TEST(FilmRegistry, IdealDbefWithItsOwnPowers) {
   const auto specular = film.surface->specular(tests::travel(0, 0));
   EXPECT_NEAR(2.0 * specular.transmission(0, 0), 0.92, 1e-12);
   EXPECT_NEAR(2.0 * specular.reflection(0, 0), 0.05 + 0.98, 1e-12);
+}
+
+TEST(FilmRegistry, LppDependsOnTheAngleOnlyIfAsked) {
+  const auto most = [](const std::string& keys) {
+    const Film film = film_of("{kind: lpp, k1: 0.86" + keys + "}");
+    const Eigen::RowVector4d row = film.surface->specular(tests::travel(70, 0)).transmission.row(0);
+    return row[0] + row.tail<3>().norm();
+  };
+  EXPECT_NEAR(most(""), 0.86, 1e-12);
+  EXPECT_NEAR(most(", angle_dependence: none"), 0.86, 1e-12);
+  const double path = 1.0 / std::sqrt(1.0 - std::pow(std::sin(70 * tests::kRad) / 1.5, 2));
+  EXPECT_NEAR(most(", angle_dependence: sheet"), 0.96 * std::pow(0.86 / 0.96, path), 1e-12);
+  EXPECT_LT(most(", angle_dependence: sheet, refractive_index: 1.5"), 0.84);  // p light near its Brewster angle
+}
+
+TEST(FilmRegistry, LppFacesNameFaults) {
+  EXPECT_THAT(faults_of("{kind: lpp, refractive_index: 1.5}"), HasSubstr("must stand beside angle_dependence: sheet"));
+  EXPECT_THAT(faults_of("{kind: lpp, k1: 0.98, refractive_index: 1.5}"), HasSubstr("refractive_index"));
+  EXPECT_THAT(faults_of("{kind: lpp, angle_dependence: sheet, refractive_index: 1.5, reflectance: 0.04}"),
+              HasSubstr("reflectance: must not stand beside refractive_index"));
+  EXPECT_THAT(faults_of("{kind: lpp, k1: 0.95, angle_dependence: sheet, refractive_index: 1.5}"),
+              HasSubstr("k1: must be at most 0.923"));
+  EXPECT_THAT(faults_of("{kind: lpp, k1: 0.98, angle_dependence: sheet}"), HasSubstr("reflectance: must be at most"));
+  EXPECT_THAT(faults_of("{kind: lpp, k1: 0.2, k2: 0.5, angle_dependence: sheet}"), HasSubstr("k2: must be at most k1"));
 }
 
 TEST(FilmRegistry, NamesFaults) {

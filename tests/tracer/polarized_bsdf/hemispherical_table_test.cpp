@@ -32,6 +32,24 @@ TEST(HemisphericalTable, IsLinearBetweenAndHeldBeyond) {
   EXPECT_NEAR(table.at(80 * kRad).transmittance_pass, 0.4, 1e-12);
 }
 
+TEST(HemisphericalTable, WavelengthsAreLinearBetweenAndHeldBeyond) {
+  std::string header = kHeader;
+  header.insert(header.size() - 1, ",lambda_nm");
+  const auto table = HemisphericalTable::parse(
+      header + "0,0.8,0.1,0,1,450\n60,0.4,0.5,0,1,450\n0,0.4,0.1,0,1,650\n30,0.2,0.5,0,1,650\n", "h.csv");
+  EXPECT_EQ(table.wavelengths_nm(), (std::vector<double>{450, 650}));
+  EXPECT_NEAR(table.at_wavelength(300).at(30 * kRad).transmittance_pass, 0.6, 1e-12);
+  EXPECT_NEAR(table.at_wavelength(650).at(15 * kRad).transmittance_pass, 0.3, 1e-12);
+  EXPECT_NEAR(table.at_wavelength(900).at(15 * kRad).transmittance_pass, 0.3, 1e-12);
+  // 500 nm: 3/4 of the first, 1/4 of the second, also where only one of them has a node.
+  EXPECT_NEAR(table.at_wavelength(500).at(30 * kRad).transmittance_pass, 0.75 * 0.6 + 0.25 * 0.2, 1e-12);
+  EXPECT_NEAR(table.at_wavelength(500).at(60 * kRad).transmittance_pass, 0.75 * 0.4 + 0.25 * 0.2, 1e-12);
+  EXPECT_THROW(table.at(0.0), core::Error) << "of which wavelength?";
+  EXPECT_TRUE(HemisphericalTable::read(tests::data_file("dbef_hemispherical.csv")).wavelengths_nm().empty());
+  EXPECT_THROW(HemisphericalTable::parse(header + "0,0.8,0.1,0,1,450\n0,0.8,0.1,0,1,450\n", "h.csv"),
+               core::ConfigError);
+}
+
 TEST(HemisphericalTable, RefusesGainAndRepeatedAngles) {
   const auto fault = [](const std::string& rows) -> std::string {
     try {

@@ -10,6 +10,7 @@
 
 #include "core/config/text_file.h"
 #include "tests/support/films.h"
+#include "tests/support/mueller_films.h"
 #include "tracer/polarized_bsdf/table_symmetry.h"
 
 namespace evenglow::tracer {
@@ -244,14 +245,52 @@ TEST(TableCheck, NamesUnphysicalMuellerMatrices) {
   const std::string header =
       "# degrees, nm, 1/sr\nkind,psi_deg,sigma_deg,phi_deg,theta_deg,lambda_nm,m00,m01,m02,m03,m10,m11,m12,m13,m20,m21,"
       "m22,m23,m30,m31,m32,m33\n";
-  const TableCheck good = check_table(header + "BRDF,0,0,0,0,550,1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1\n", "m.csv");
+  const TableCheck good = check_table(header + "BRDF,0,0,0,0,550,.1,0,0,0,0,.1,0,0,0,0,.1,0,0,0,0,.1\n", "m.csv");
   EXPECT_THAT(good.faults, IsEmpty());
-  const TableCheck bad = check_table(header + "BRDF,0,0,0,0,550,1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1\n" +
-                                         "BRDF,0,0,0,1,550,1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,-1\n",
+  const TableCheck bad = check_table(header + "BRDF,0,0,0,0,550,.1,0,0,0,0,.1,0,0,0,0,.1,0,0,0,0,.1\n" +
+                                         "BRDF,0,0,0,1,550,.1,0,0,0,0,.1,0,0,0,0,.1,0,0,0,0,-.1\n",
                                      "m.csv");
   ASSERT_EQ(bad.faults.size(), 1u);
   EXPECT_THAT(bad.faults[0].to_string(), HasSubstr("m.csv:4:18: m00: the matrix must be physical"));
   EXPECT_THAT(bad.faults[0].to_string(), HasSubstr("got -0.5"));
+}
+
+TEST(TableCheck, ChecksMuellerMatricesAsItDoesTables) {
+  const BsdfTable dbef = BsdfTable::read(data_file("dbef.csv"));
+  StoredTable stored = tests::mueller_of(dbef, false);
+  const TableCheck good = check_table(csv_text(stored), "m.csv");
+  EXPECT_THAT(good.faults, IsEmpty());
+  ASSERT_EQ(good.hemispherical.size(), 6u);
+  EXPECT_NEAR(good.hemispherical[0].transmittance_pass, 0.887, 0.01);
+  EXPECT_NEAR(good.hemispherical[0].reflectance_block, 0.932, 0.01);
+  // Light out of nothing, for all and for circular light alone.
+  for (std::size_t e = 0; e < 16; ++e) {
+    for (double& value : stored.values[e]) value *= 1.2;
+  }
+  const TableCheck bright = check_table(csv_text(stored), "m.csv");
+  ASSERT_THAT(bright.faults, testing::Not(IsEmpty()));
+  EXPECT_THAT(bright.faults[0].to_string(), HasSubstr("R + T of any polarization must be at most 1"));
+  const auto circular = [](double share) {
+    const StoredTable table =
+        tests::mueller_stored("c.csv", {0}, {{{0}, {0}, {0}, {0, 60}, {550}}}, [&](const tests::NodeIndex&) {
+          core::MuellerMatrix M = core::MuellerMatrix::Zero();
+          M(0, 0) = M(0, 3) = share;
+          return M;
+        });
+    return check_table(csv_text(table), "c.csv").faults.size();
+  };
+  EXPECT_EQ(circular(0.15), 0u) << "0.94 of right circular light";
+  EXPECT_EQ(circular(0.17), 1u) << "1.07 of it, 0.53 of natural light";
+}
+
+TEST(TableCheck, NamesMissingNodesOfMuellerMatrices) {
+  const StoredTable stored = tests::mueller_stored("c.csv", {0}, {{{0}, {0}, {0, 90}, {0, 60}, {550}}},
+                                                   [&](const tests::NodeIndex&) { return core::diattenuator(.1, .1); });
+  std::string text = csv_text(stored);
+  text.erase(text.find("BRDF,0,0,90,0"), text.find("BRDF,0,0,90,60") - text.find("BRDF,0,0,90,0"));
+  const TableCheck check = check_table(text, "c.csv");
+  ASSERT_EQ(check.faults.size(), 1u);
+  EXPECT_THAT(check.faults[0].to_string(), HasSubstr("got none for BRDF psi 0 sigma 0 phi 90 theta 0 lambda 550"));
 }
 
 TEST(TableSymmetry, TheDataAreReciprocalWithinTheInterpolation) {

@@ -34,8 +34,8 @@ TEST(BacklightSpec, Defaults) {
   const BacklightSpec spec = backlight_of("light_guide_plate: {}, " + kLeds);
   ASSERT_TRUE(spec.plate);
   EXPECT_EQ(spec.area.max, core::Vec3(140.0, 66.0, 0.6));
-  EXPECT_NEAR(spec.plate->material.refractive_index, 1.4926, 1e-4);
-  EXPECT_NEAR(spec.plate->material.absorption, 3e-5, 1e-12);
+  EXPECT_NEAR(spec.plate->material(550.0).refractive_index, 1.4926, 1e-4);
+  EXPECT_NEAR(spec.plate->material(550.0).absorption, 3e-5, 1e-12);
   EXPECT_FALSE(spec.microstructure);
   EXPECT_TRUE(spec.films.empty());
   EXPECT_FALSE(spec.reflectors[0]);
@@ -47,10 +47,10 @@ TEST(BacklightSpec, Defaults) {
 
 TEST(BacklightSpec, PlateOfAPlainConstantIsLossless) {
   const BacklightSpec spec = backlight_of("light_guide_plate: {refractive_index: 1.4938}, " + kLeds);
-  EXPECT_EQ(spec.plate->material.refractive_index, 1.4938);
-  EXPECT_EQ(spec.plate->material.absorption, 0.0);
+  EXPECT_EQ(spec.plate->material(550.0).refractive_index, 1.4938);
+  EXPECT_EQ(spec.plate->material(550.0).absorption, 0.0);
   expect_fault("light_guide_plate: {refractive_index: 1.5, material: pmma}, " + kLeds, "material");
-  EXPECT_NEAR(backlight_of("light_guide_plate: {absorption_per_m: 5}, " + kLeds).plate->material.absorption, 0.005,
+  EXPECT_NEAR(backlight_of("light_guide_plate: {absorption_per_m: 5}, " + kLeds).plate->material(550.0).absorption, 0.005,
               1e-15);
 }
 

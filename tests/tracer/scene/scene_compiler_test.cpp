@@ -17,17 +17,17 @@ const std::string kLeds = "sources: [{kind: led_row, count: 2, size_mm: [2, 0.4]
 
 std::size_t quads_of_body(const Scene& scene, int body) {
   std::size_t count = 0;
-  for (const Surface& surface : scene.surfaces) count += surface.body == body ? 1 : 0;
+  for (const Surface& surface : scene.optics[0].surfaces) count += surface.body == body ? 1 : 0;
   return count;
 }
 
 TEST(SceneCompiler, PlateIsAClosedBodyWithNormalsOut) {
   const Scene scene = scene_of(kPlate + kLeds);
-  ASSERT_EQ(scene.bodies.size(), 1U);
+  ASSERT_EQ(scene.optics[0].bodies.size(), 1U);
   EXPECT_EQ(quads_of_body(scene, 0), 6U);
   const core::Vec3 center(10.0, 5.0, 0.25);
-  for (std::size_t i = 0; i < scene.surfaces.size(); ++i) {
-    const Surface& s = scene.surfaces[i];
+  for (std::size_t i = 0; i < scene.optics[0].surfaces.size(); ++i) {
+    const Surface& s = scene.optics[0].surfaces[i];
     const Quad& quad = scene.caster->quads()[i];
     EXPECT_NEAR((s.x.cross(s.y) - s.normal).norm(), 0.0, 1e-15);
     if (s.body == 0) {
@@ -52,34 +52,34 @@ TEST(SceneCompiler, StackHasItsHeights) {
                "lpp, gap_mm: 0.01}]");
   EXPECT_NEAR((scene.box.min - core::Vec3(0.0, 0.0, -0.2)).norm(), 0.0, 1e-12);
   EXPECT_NEAR((scene.box.max - core::Vec3(20.3, 10.0, 1.06)).norm(), 0.0, 1e-12);
-  ASSERT_EQ(scene.bodies.size(), 2U);
-  EXPECT_EQ(scene.bodies[1].refractive_index, 1.6);
-  EXPECT_NEAR(scene.bodies[1].absorption, 0.002, 1e-15);
+  ASSERT_EQ(scene.optics[0].bodies.size(), 2U);
+  EXPECT_EQ(scene.optics[0].bodies[1].refractive_index, 1.6);
+  EXPECT_NEAR(scene.optics[0].bodies[1].absorption, 0.002, 1e-15);
   // Only the topmost scatterer is viewed; what lies above it is specular.
   int viewed = 0;
-  for (std::size_t i = 0; i < scene.surfaces.size(); ++i) {
-    if (!scene.surfaces[i].is_viewed_scatterer) continue;
+  for (std::size_t i = 0; i < scene.optics[0].surfaces.size(); ++i) {
+    if (!scene.optics[0].surfaces[i].is_viewed_scatterer) continue;
     ++viewed;
     EXPECT_NEAR(scene.caster->quads()[i].corner.z(), 0.6, 1e-12);
   }
   EXPECT_EQ(viewed, 1);
-  ASSERT_EQ(scene.viewed_films.size(), 2U);
-  EXPECT_TRUE(scene.viewed_films[0].sheet);
-  EXPECT_NE(scene.viewed_films[1].surface, nullptr);
+  ASSERT_EQ(scene.optics[0].viewed_films.size(), 2U);
+  EXPECT_TRUE(scene.optics[0].viewed_films[0].sheet);
+  EXPECT_NE(scene.optics[0].viewed_films[1].surface, nullptr);
 }
 
 TEST(SceneCompiler, CountingViewsNoScatterer) {
   const Scene scene =
       scene_of(kPlate + kLeds +
                ", films: [{kind: diffuser}, {kind: diffuser}], receivers: [{kind: luminance, estimator: counting}]");
-  for (const Surface& surface : scene.surfaces) EXPECT_FALSE(surface.is_viewed_scatterer);
+  for (const Surface& surface : scene.optics[0].surfaces) EXPECT_FALSE(surface.is_viewed_scatterer);
 }
 
 TEST(SceneCompiler, PatternLiesOnItsFace) {
   for (const auto& [name, side] : {std::pair{"bottom", Side::kBottom}, {"top", Side::kTop}}) {
     const Scene scene = scene_of(kPlate + kLeds + ", microstructure: {face: " + name + ", cells: [2, 2]}");
     int patterned = 0;
-    for (const Surface& surface : scene.surfaces) {
+    for (const Surface& surface : scene.optics[0].surfaces) {
       if (surface.pattern == nullptr) continue;
       ++patterned;
       EXPECT_NEAR((surface.normal - outward(side)).norm(), 0.0, 1e-15);
@@ -94,11 +94,11 @@ TEST(SceneCompiler, LedsInAndBeforeTheReflector) {
   const Scene in = scene_of(kPlate + kLeds + ", reflectors: {left: {gap_mm: 0.1}}");
   EXPECT_EQ(in.source_placements[0].first_quad, 6);
   EXPECT_FALSE(in.source_placements[0].quad_per_window);
-  EXPECT_EQ(in.surfaces[6].windows.size(), 2U);
+  EXPECT_EQ(in.optics[0].surfaces[6].windows.size(), 2U);
   const Scene before = scene_of(kPlate + kLeds + ", reflectors: {left: {gap_mm: 0.4}}");
   EXPECT_EQ(before.source_placements[0].first_quad, 7);
   EXPECT_TRUE(before.source_placements[0].quad_per_window);
-  EXPECT_EQ(before.surfaces.size(), 9U);
+  EXPECT_EQ(before.optics[0].surfaces.size(), 9U);
   const Scene faces = scene_of(kPlate + "sources: [{kind: lambertian_face}]");
   EXPECT_EQ(faces.source_placements[0].first_quad, -1);
 }
@@ -109,7 +109,7 @@ TEST(SceneCompiler, WindowsMatchWherePhotonsStart) {
     const Scene scene =
         scene_of(kPlate + "reflectors: {" + edge + ": {gap_mm: 0.1}}, sources: [{kind: led_row, edge: " + edge +
                  ", count: 2, pitch_mm: 4, size_mm: [1, 0.2], gap_mm: 0.1}]");
-    const Surface& surface = scene.surfaces[6];
+    const Surface& surface = scene.optics[0].surfaces[6];
     core::PhotonRng rng({1, 0, 0}, 0);
     for (int i = 0; i < 200; ++i) {
       const core::Vec3 p = scene.spec.sources[0]->emit(rng).position;

@@ -32,15 +32,15 @@ TEST(NextEvent, TransmissionHoldsAllOrders) {
                           "transmittance_block: 0.05, reflectance_block: 0.9}"));
   const NextEvent next_event(scene);
   for (const core::Vec3& k : {travel(0, 0, true), travel(30, 70, true), travel(65, 200, true)}) {
-    const Bsdf& a = *scene.viewed_films[0].surface;
-    const Bsdf& b = *scene.viewed_films[1].surface;
+    const Bsdf& a = *scene.optics[0].viewed_films[0].surface;
+    const Bsdf& b = *scene.optics[0].viewed_films[1].surface;
     const core::Vec3 down(k.x(), k.y(), -k.z());
     core::MuellerMatrix sum = core::MuellerMatrix::Zero(), between = a.specular(k).transmission;
     for (int order = 0; order < 400; ++order) {
       sum += b.specular(k).transmission * between;
       between = a.specular(down).reflection * b.specular(k).reflection * between;
     }
-    EXPECT_NEAR((next_event.transmission(k) - sum).norm(), 0.0, 1e-9);
+    EXPECT_NEAR((next_event.transmission(k, 0) - sum).norm(), 0.0, 1e-9);
   }
 }
 
@@ -49,7 +49,7 @@ TEST(NextEvent, ThreeSheetsAgreeWithTheClosedForm) {
   const Scene scene = scene_of(scene_text(sheet + sheet + sheet));
   for (const double degrees : {0.0, 40.0, 75.0}) {
     const core::Vec3 k = travel(degrees, 20, true);
-    const core::MuellerMatrix T = NextEvent(scene).transmission(k);
+    const core::MuellerMatrix T = NextEvent(scene).transmission(k, 0);
     const core::FresnelFace face = core::fresnel(k.z(), 1.0, 1.5);
     const auto stack = [](double R) { return (1.0 - R) / (1.0 + 5.0 * R); };  // 2 N - 1 = 5
     EXPECT_NEAR(T(0, 0) + T(0, 1), stack(face.reflectance_p()), 1e-12);
@@ -64,11 +64,11 @@ TEST(NextEvent, ScoreOfALambertianScatterer) {
   core::PhotonRng rng({1, 0, 0}, 0);
   const auto light = core::StokesVector::unpolarized(1.0, core::PolarizationFrame::any(travel(50, 0, true)));
   for (int i = 0; i < 100; ++i) {
-    const auto score = NextEvent(bare).score(*bare.spec.films[0].surface, light, {10, 5, 0.05}, rng);
+    const auto score = NextEvent(bare).score(*bare.spec.films[0].surface, light, {10, 5, 0.05}, 0, rng);
     ASSERT_TRUE(score);
     EXPECT_NEAR(score->weight, 0.6 / core::kPi, 1e-14);
     EXPECT_EQ(score->bin, 0U);
-    const auto through = NextEvent(covered).score(*covered.spec.films[0].surface, light, {10, 5, 0.05}, rng);
+    const auto through = NextEvent(covered).score(*covered.spec.films[0].surface, light, {10, 5, 0.05}, 0, rng);
     EXPECT_NEAR(through->weight, 0.6 * 0.41 / core::kPi, 1e-14);
   }
 }
@@ -78,7 +78,7 @@ TEST(NextEvent, OutsideTheActiveAreaNothingIsScored) {
   core::PhotonRng rng({1, 0, 0}, 0);
   const auto light = core::StokesVector::unpolarized(1.0, core::PolarizationFrame::any(travel(50, 0, true)));
   const auto at = [&](double x) {
-    return NextEvent(scene).score(*scene.spec.films[0].surface, light, {x, 5, 0.05}, rng);
+    return NextEvent(scene).score(*scene.spec.films[0].surface, light, {x, 5, 0.05}, 0, rng);
   };
   EXPECT_FALSE(at(4.9));
   EXPECT_EQ(at(6.0)->bin, 0U);
@@ -95,7 +95,7 @@ TEST(NextEvent, SheetsShiftThePlaceThatIsSeen) {
   double got = 0.0, got_squares = 0.0;
   constexpr int kSamples = 50000;
   for (int i = 0; i < kSamples; ++i) {
-    const auto score = NextEvent(scene).score(*scene.spec.films[0].surface, light, {10.05, 5.05, 0.05}, rng);
+    const auto score = NextEvent(scene).score(*scene.spec.films[0].surface, light, {10.05, 5.05, 0.05}, 0, rng);
     ASSERT_TRUE(score);
     const int ix = static_cast<int>(score->bin) % 200, iy = static_cast<int>(score->bin) / 200;
     const double r2 = std::pow(ix * 0.1 - 10.0, 2) + std::pow(iy * 0.1 - 5.0, 2);

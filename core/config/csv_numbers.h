@@ -13,7 +13,7 @@
 
 #include "core/base/error.h"
 
-namespace evenglow::tracer {
+namespace evenglow::core {
 
 /// One column that a reader knows: a number within [min, max] (max itself excluded if `max_open`), or one of `words`.
 struct CsvColumn {
@@ -30,7 +30,7 @@ struct CsvColumn {
 /// A CSV file of numbers: lines that begin with '#' are comments, the first other line names the columns (any order),
 /// each further line is a row with one entry for each column.
 ///
-/// Throws `core::ConfigError` with the first faults of the file, each `file:line:column: name: allowed, given`: not
+/// Throws `ConfigError` with the first faults of the file, each `file:line:column: name: allowed, given`: not
 /// readable, empty, more than 256 MB, not a text table, missing, unknown or repeated columns, a wrong number of
 /// entries, an entry that is no finite number of its range or not one of its words.
 class CsvNumbers {
@@ -43,12 +43,15 @@ class CsvNumbers {
                          const RowCheck& check = {});
   static CsvNumbers parse(std::string_view text, std::string name, std::span<const CsvColumn> columns,
                           const RowCheck& check = {});
+  /// Rows that come from no text: `values` row by row, an entry for each known column (NaN where it is not `present`).
+  /// Their lines are 0.
+  static CsvNumbers from_rows(std::string name, std::vector<bool> present, std::vector<double> values);
 
   const std::string& name() const { return name_; }
   std::size_t rows() const { return lines_.size(); }
   /// Value of row `row` in the known column `column`; NaN if that column is absent.
   double value(std::size_t row, std::size_t column) const { return values_[row * width_ + column]; }
-  int line(std::size_t row) const { return lines_[row]; }  ///< from 1
+  int line(std::size_t row) const { return lines_[row]; }  ///< from 1; 0: no text
   bool has(std::size_t column) const { return present_[column]; }
 
  private:
@@ -60,4 +63,4 @@ class CsvNumbers {
   std::vector<bool> present_;
 };
 
-}  // namespace evenglow::tracer
+}  // namespace evenglow::core

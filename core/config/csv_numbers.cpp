@@ -1,4 +1,4 @@
-#include "tracer/polarized_bsdf/csv_numbers.h"
+#include "core/config/csv_numbers.h"
 
 #include <algorithm>
 #include <charconv>
@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-namespace evenglow::tracer {
+namespace evenglow::core {
 namespace {
 
 constexpr std::size_t kMaxFaults = 10;
@@ -65,7 +65,7 @@ class CsvParser {
     }
     if (faults_.empty() && header_line_ == 0) fault(0, {}, "must be a CSV table, got an empty file");
     if (faults_.empty() && table_.rows() == 0) fault(0, {}, "must hold at least one row of numbers, got none");
-    if (!faults_.empty()) throw core::ConfigError(std::move(faults_));
+    if (!faults_.empty()) throw ConfigError(std::move(faults_));
     return std::move(table_);
   }
 
@@ -108,7 +108,7 @@ class CsvParser {
   }
 
   /// Rows below a wrong header say nothing.
-  void stop() { throw core::ConfigError(std::move(faults_)); }
+  void stop() { throw ConfigError(std::move(faults_)); }
 
   void take_row() {
     if (entries_.size() != order_.size()) {
@@ -161,7 +161,7 @@ class CsvParser {
   CsvNumbers table_;
   std::vector<std::size_t> order_;  ///< known column of each column of the file
   std::vector<Entry> entries_;
-  std::vector<core::Fault> faults_;
+  std::vector<Fault> faults_;
   int line_ = 0;
   int header_line_ = 0;
 };
@@ -171,10 +171,20 @@ CsvNumbers CsvNumbers::parse(std::string_view text, std::string name, std::span<
   return CsvParser(std::move(name), columns, check).run(text);
 }
 
+CsvNumbers CsvNumbers::from_rows(std::string name, std::vector<bool> present, std::vector<double> values) {
+  CsvNumbers table;
+  table.name_ = std::move(name);
+  table.width_ = present.size();
+  table.lines_.assign(values.size() / table.width_, 0);
+  table.values_ = std::move(values);
+  table.present_ = std::move(present);
+  return table;
+}
+
 CsvNumbers CsvNumbers::read(const std::filesystem::path& file, std::span<const CsvColumn> columns,
                             const RowCheck& check) {
-  const auto refuse = [&](std::string message) -> core::ConfigError {
-    return core::ConfigError(core::Fault{file.string(), 0, 0, {}, std::move(message)});
+  const auto refuse = [&](std::string message) -> ConfigError {
+    return ConfigError(Fault{file.string(), 0, 0, {}, std::move(message)});
   };
   std::error_code error;
   if (!std::filesystem::is_regular_file(file, error)) throw refuse("must be an existing regular file, got none");
@@ -187,4 +197,4 @@ CsvNumbers CsvNumbers::read(const std::filesystem::path& file, std::span<const C
   return parse(text, file.string(), columns, check);
 }
 
-}  // namespace evenglow::tracer
+}  // namespace evenglow::core

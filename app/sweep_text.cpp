@@ -1,0 +1,101 @@
+#include "app/sweep_text.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "app/sweep_options.h"
+#include "core/base/units.h"
+#include "core/config/message_text.h"
+
+namespace evenglow::app {
+namespace {
+
+using tracer::SweepRow;
+
+constexpr std::size_t kMostTableRows = 60;
+
+/// Degrees without the rounding of the way to radians and back.
+double degrees(double rad) {
+  return std::round(rad / core::kRadPerDeg * 1e9) / 1e9;
+}
+
+constexpr std::array<core::Estimate SweepRow::*, 7> kShares{&SweepRow::reflectance,
+                                                            &SweepRow::transmittance,
+                                                            &SweepRow::absorbed,
+                                                            &SweepRow::specular_reflectance,
+                                                            &SweepRow::specular_transmittance,
+                                                            &SweepRow::scattered_reflectance,
+                                                            &SweepRow::scattered_transmittance};
+
+std::string share_text(const core::Estimate& share, bool with_se) {
+  if (!with_se) return fmt::format("{:.4f}", share.value);
+  return fmt::format("{:.4f} ±{:.4f}", share.value, share.se);
+}
+
+/// Rounding about zero is zero.
+double clean(double x) {
+  return std::abs(x) < 1e-12 ? 0.0 : x;
+}
+
+std::string state_text(const SweepRow& row) {
+  if (!row.transmitted) return fmt::format(" {:>7} {:>7} {:>7} {:>7}", "-", "-", "-", "-");
+  const auto& s = *row.transmitted;
+  return fmt::format(" {:>7.4f} {:>7.4f} {:>7.4f} {:>7.4f}", s.degree, clean(s.q), clean(s.u), clean(s.v));
+}
+
+}  // namespace
+
+std::string sweep_csv(const std::vector<SweepRow>& rows, const std::string& what, bool from_above) {
+  std::string text = fmt::format(
+      "# {}, lit from {}: angles in degrees, wavelength in nm, shares of the incident power (1) with standard errors "
+      "(se; 0: exact); dop, q, u, v: of the straight light, per its power, e1 in the plane of incidence\n"
+      "wavelength_nm,azimuth_deg,polarization,sigma_deg,reflectance,reflectance_se,transmittance,transmittance_se,"
+      "absorbed,absorbed_se,reflectance_specular,reflectance_specular_se,transmittance_specular,"
+      "transmittance_specular_se,reflectance_scattered,reflectance_scattered_se,transmittance_scattered,"
+      "transmittance_scattered_se,dop,q,u,v\n",
+      core::one_line(what), from_above ? "above" : "below");
+  for (const SweepRow& row : rows) {
+    text +=
+        fmt::format("{:g},{:g},{},{:g}", row.wavelength, degrees(row.azimuth), name_of(row.light), degrees(row.sigma));
+    for (const auto share : kShares) text += fmt::format(",{:.8g},{:.4g}", (row.*share).value, (row.*share).se);
+    if (row.transmitted) {
+      const auto& s = *row.transmitted;
+      text += fmt::format(",{:.8g},{:.8g},{:.8g},{:.8g}\n", s.degree, clean(s.q), clean(s.u), clean(s.v));
+    } else {
+      text += ",,,,\n";
+    }
+  }
+  return text;
+}
+
+std::string sweep_table(const std::vector<SweepRow>& rows) {
+  const bool counted = std::any_of(rows.begin(), rows.end(), [](const SweepRow& r) {
+    return r.transmittance.se + r.reflectance.se + r.absorbed.se > 0.0;
+  });
+  const int width = counted ? 15 : 8;
+  std::string text = fmt::format(
+      "{:>9} {:>7} {:>5} {:>6} | {:>{}} {:>{}} {:>{}} | {:>8} {:>8} {:>7} {:>7} {:>7} {:>7}\n", "lambda_nm", "azimuth",
+      "light", "sigma", "R", width, "T", width, "absorbed", width, "R spec", "T spec", "DOP", "q", "u", "v");
+  for (std::size_t i = 0; i < std::min(rows.size(), kMostTableRows); ++i) {
+    const SweepRow& row = rows[i];
+    text +=
+        fmt::format("{:>9.5g} {:>7.4g} {:>5} {:>6.4g} | {:>{}} {:>{}} {:>{}} | {:>8.4f} {:>8.4f}{}\n", row.wavelength,
+                    degrees(row.azimuth), name_of(row.light), degrees(row.sigma), share_text(row.reflectance, counted),
+                    width, share_text(row.transmittance, counted), width, share_text(row.absorbed, counted), width,
+                    row.specular_reflectance.value, row.specular_transmittance.value, state_text(row));
+  }
+  if (rows.size() > kMostTableRows) {
+    text += fmt::format("... and {} rows more (-o FILE.csv writes all)\n", rows.size() - kMostTableRows);
+  }
+  text +=
+      "R, T: shares into the hemisphere; spec: mirrored, straight; DOP, q, u, v: straight light, degree of "
+      "polarization and Stokes "
+      "vector per power (e1 in the plane of incidence); ";
+  text += counted ? "± 1 standard error\n" : "exact\n";
+  return text;
+}
+
+}  // namespace evenglow::app
