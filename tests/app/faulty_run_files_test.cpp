@@ -83,7 +83,7 @@ const FaultyFile kFiles[] = {
     {"infinity", ":3:34: backlight.light_guide_plate.length_mm: must be a finite number, got .inf"},
     {"key_is_list", ":8:1: a key must be a word, got a list"},
     {"key_is_map", ":8:3: a key must be a word, got a map"},
-    {"led_behind_reflector", ":5:60: backlight.sources[0].gap_mm: must not be larger than that of the left reflector (0.05 mm), got 0.2 mm: the LEDs would stand behind it"},
+    {"led_behind_reflector", ":5:60: backlight.sources[0].gap_mm: must not be larger than that of the left reflector (0.05 mm), got 0.2 mm: the light would start behind it"},
     {"led_higher_than_plate", ":5:61: backlight.sources[0].size_mm: the LED must not be higher than the plate (0.6 mm), got 0.8 mm"},
     {"led_row_without_plate", ":3:13: backlight.sources[0]: an led_row needs a light_guide_plate to stand at, got none"},
     {"led_size_one_number", ":5:48: backlight.sources[0].size_mm: must be a list of numbers, got 2.6"},

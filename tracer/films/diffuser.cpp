@@ -42,7 +42,9 @@ Diffuser::Diffuser(const Spec& spec) : spec_(spec) {
   core::expects(share(spec.transmittance) && share(spec.reflectance) && share(spec.haze) &&
                     share(spec.depolarization) && spec.transmittance + spec.reflectance <= 1.0 + 1e-12,
                 "a diffuser's shares lie in [0, 1] and T + R is at most 1");
+  core::expects(!spec.fwhm || !spec.abg, "a diffuser has one lobe");
   if (spec.fwhm) lobe_.emplace(lobe_width(*spec.fwhm));
+  if (spec.abg) abg_.emplace(spec.abg->b, spec.abg->g);
 }
 
 Bsdf::Specular Diffuser::specular(const core::Vec3&) const {
@@ -55,9 +57,9 @@ std::optional<BsdfSample> Diffuser::sample(const core::StokesVector& incident, c
   const double chance = rng.uniform();
   const core::Vec3& k = incident.frame.k;
   if (chance < spec_.transmittance * (1.0 - spec_.haze)) return BsdfSample{incident, true};
-  if (chance < spec_.transmittance) return BsdfSample{scattered(incident, draw_direction(k, rng)), false};
+  if (chance < spec_.transmittance) return BsdfSample{scattered_light(incident, draw_direction(k, rng), spec_.depolarization), false};
   if (chance < spec_.transmittance + spec_.reflectance) {
-    return BsdfSample{scattered(incident, draw_direction(mirrored(k), rng)), false};
+    return BsdfSample{scattered_light(incident, draw_direction(mirrored(k), rng), spec_.depolarization), false};
   }
   return std::nullopt;
 }
@@ -67,28 +69,30 @@ core::Vec3 Diffuser::draw_direction(const core::Vec3& unscattered, core::PhotonR
   const double side = unscattered.z() >= 0.0 ? 1.0 : -1.0;
   while (true) {
     const double angle = 2.0 * core::kPi * rng.uniform();
-    const double first = rng.uniform();
-    double bx = 0.0, by = 0.0, accept = 1.0;
-    if (lobe_) {
-      const double way = lobe_->width() * std::sqrt(-2.0 * std::log(first));
+    double bx = 0.0, by = 0.0;
+    if (lobe_ || abg_) {
+      const double way = lobe_ ? lobe_->width() * std::sqrt(-2.0 * std::log(rng.uniform())) : abg_->draw_way(rng);
       bx = unscattered.x() + way * std::cos(angle);
       by = unscattered.y() + way * std::sin(angle);
       if (bx * bx + by * by >= 1.0) continue;
-      accept = lobe_->scaling(std::sqrt(bx * bx + by * by)) / lobe_->largest_scaling();
+      const double beta = std::sqrt(bx * bx + by * by);
+      const double accept = lobe_ ? lobe_->scaling(beta) / lobe_->largest_scaling()
+                                  : abg_->scaling(beta) / abg_->largest_scaling();
       if (rng.uniform() >= accept) continue;
     } else {  // Lambert's law: uniform over the disk of direction cosines
-      bx = std::sqrt(first) * std::cos(angle);
-      by = std::sqrt(first) * std::sin(angle);
+      const double way = std::sqrt(rng.uniform());
+      bx = way * std::cos(angle);
+      by = way * std::sin(angle);
     }
     const double cos_out = std::sqrt(std::max(1.0 - bx * bx - by * by, 1e-18));
     return core::Vec3(bx, by, side * cos_out).normalized();
   }
 }
 
-core::StokesVector Diffuser::scattered(const core::StokesVector& incident, const core::Vec3& k_out) const {
+core::StokesVector scattered_light(const core::StokesVector& incident, const core::Vec3& k_out, double depolarization) {
   const bool through = (incident.frame.k.z() >= 0.0) == (k_out.z() >= 0.0);
   core::StokesVector light = turned(through ? incident : mirror_image(incident), k_out);
-  const double kept = 1.0 - spec_.depolarization;
+  const double kept = 1.0 - depolarization;
   light.Q *= kept;
   light.U *= kept;
   light.V *= kept;
@@ -99,14 +103,17 @@ core::StokesVector Diffuser::evaluate(const core::StokesVector& incident, const 
   const core::Vec3& k = incident.frame.k;
   const bool through = (k.z() >= 0.0) == (k_out.z() >= 0.0);
   double f = through ? spec_.transmittance * spec_.haze : spec_.reflectance;
-  if (lobe_) {
+  if (lobe_ || abg_) {
     const double dx = k_out.x() - k.x();
     const double dy = k_out.y() - k.y();
-    f *= lobe_->value(std::hypot(k.x(), k.y()), std::hypot(k_out.x(), k_out.y()), dx * dx + dy * dy);
+    const double in = std::hypot(k.x(), k.y());
+    const double out = std::hypot(k_out.x(), k_out.y());
+    const double distance2 = dx * dx + dy * dy;
+    f *= lobe_ ? lobe_->value(in, out, distance2) : abg_->value(in, out, distance2);
   } else {
     f /= core::kPi;
   }
-  return scattered(incident, k_out).scaled(f);
+  return scattered_light(incident, k_out, spec_.depolarization).scaled(f);
 }
 
 }  // namespace evenglow::tracer

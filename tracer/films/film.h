@@ -28,10 +28,10 @@ struct FilmOptics {
 /// One film of the stack above the plate: a thin surface, or a sheet with a body.
 struct Film {
   std::string kind;
-  double gap = 0.05;                    ///< mm of air below it
-  double axis = 0.0;                    ///< rad in [0, pi): pass axis (of a retarder: fast axis) from +x towards +y; 0
-                                        ///< where the kind has none
-  double axis_index = 1.5;              ///< refractive index that pass_axis.h counts the axis of an oblique ray with
+  double gap = 0.05;        ///< mm of air below it
+  double axis = 0.0;        ///< rad in [0, pi): pass axis (retarder: fast axis, bef: grooves) from +x towards +y; 0
+                            ///< where the kind has none
+  double axis_index = 1.5;  ///< refractive index that pass_axis.h counts the axis of an oblique ray with
   std::unique_ptr<const Bsdf> surface;  ///< in the plate's frame, its axis applied; null for a sheet
   std::optional<DielectricSheet> sheet;
   /// The film at another wavelength (nm); empty: `surface` or `sheet` at every wavelength. Those hold for 550 nm.

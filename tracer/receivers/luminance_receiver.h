@@ -4,6 +4,7 @@
 #include <string>
 
 #include "core/math/cell_field.h"
+#include "core/math/vec3.h"
 #include "core/montecarlo/tally.h"
 #include "tracer/receivers/receiver.h"
 
@@ -14,22 +15,37 @@ namespace evenglow::tracer {
 /// that film straight are counted, so that the sum is unbiased.
 enum class LuminanceEstimator { kCounting, kNextEvent };
 
-/// Luminance of each cell of the display's active area, averaged over a viewing cone about the display's normal:
-/// L = flux into the cone / (area pi sin^2 cone). Scores are in 1/sr per photon.
+/// A direction of view drawn from the cone, and the factor that makes up for how it is drawn.
+struct View {
+  core::Vec3 k;
+  double weight = 1.0;
+};
+
+/// Luminance of each cell of the display's active area, averaged over a viewing cone about the display's normal or
+/// about a tilted axis: L = flux into the cone / (area projected solid angle). The vector integral of the directions of
+/// a cone about the unit vector a is pi sin^2(cone) a, so that its projected solid angle is pi sin^2(cone) a_z,
+/// exactly, for any cone above the horizon. Scores are in 1/sr per photon.
 class LuminanceReceiver final : public Receiver {
  public:
-  /// `cells`: the active area at the top of the backlight (mm); `cone`: half angle (rad), in (0, pi/2].
-  LuminanceReceiver(const core::CellGrid& cells, double cone);
+  /// `cells`: the active area at the top of the backlight (mm); `cone`: half angle (rad), in (0, pi/2]; `polar` (from
+  /// the normal) and `azimuth` (from +x towards +y) of its axis (rad), polar + cone <= pi/2. Error otherwise.
+  LuminanceReceiver(const core::CellGrid& cells, double cone, double polar = 0.0, double azimuth = 0.0);
 
   std::size_t bins() const override { return cells_.size(); }
   std::optional<Score> score(const Crossing& crossing) const override;
 
   const core::CellGrid& cells() const { return cells_; }
-  double sin_cone() const { return sin_cone_; }
+  /// For two uniform numbers in (0, 1): the mean of `weight` x (what goes to k, 1/sr) is the luminance of the cone.
+  View sample_view(double u1, double u2) const;
 
  private:
+  bool sees(const core::Vec3& k) const;
+
   core::CellGrid cells_;
   double sin_cone_;
+  double cos_cone_;
+  bool tilted_;
+  core::Vec3 side_, up_, axis_;  // right-handed; `axis_` is that of the cone
   double weight_;
 };
 

@@ -41,12 +41,16 @@ struct MicrostructureSpec {
 struct LuminanceReceiverSpec {
   core::CellGrid cells;                   ///< active area, mm
   double cone = 10.0 * core::kRadPerDeg;  ///< half angle, rad
+  double polar = 0.0;                     ///< of the cone's axis from the normal, rad
+  double azimuth = 0.0;                   ///< of the cone's axis from +x towards +y, rad
   LuminanceEstimator estimator = LuminanceEstimator::kNextEvent;
 };
 
 struct AngularReceiverSpec {
   int polar_count = 18;
   int azimuth_count = 24;
+  int spots = 0;             ///< 0, or those of 1, 9 or 13 points of the active area
+  double spot_radius = 0.0;  ///< mm
 };
 
 /// A backlight as described: plain values, validated, in mm, rad and lm.

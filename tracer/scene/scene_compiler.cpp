@@ -212,8 +212,12 @@ Scene compile_scene(BacklightSpec spec) {
   double flux = 0.0;
   for (const auto& source : spec.sources) flux += source->flux();
   std::optional<AngularReceiver> angular;
-  if (spec.angular) angular.emplace(spec.angular->polar_count, spec.angular->azimuth_count);
-  const LuminanceReceiver luminance(spec.luminance.cells, spec.luminance.cone);
+  if (spec.angular) {
+    angular.emplace(spec.angular->polar_count, spec.angular->azimuth_count,
+                    display_spots(spec.luminance.cells, spec.angular->spots, spec.angular->spot_radius));
+  }
+  const LuminanceReceiver luminance(spec.luminance.cells, spec.luminance.cone, spec.luminance.polar,
+                                    spec.luminance.azimuth);
   return Scene{std::move(spec),
                first.box(),
                std::make_unique<RayCaster>(first.take_quads()),

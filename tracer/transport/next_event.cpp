@@ -4,7 +4,6 @@
 
 #include <Eigen/LU>
 
-#include "core/math/sampling.h"
 #include "tracer/optics/dielectric_face.h"
 
 namespace evenglow::tracer {
@@ -80,7 +79,7 @@ bool NextEvent::sees(const Vec3& position, const Vec3& k, std::size_t band) cons
 std::optional<Score> NextEvent::score(const Bsdf& surface, const core::StokesVector& light, const Vec3& position,
                                       std::size_t band, core::PhotonRng& rng) const {
   const double u1 = rng.uniform();
-  const Vec3 k = core::sample_cosine_cone(u1, rng.uniform(), scene_.luminance.sin_cone());
+  const auto [k, weight] = scene_.luminance.sample_view(u1, rng.uniform());
   const Vec3 seen = display_position(position, k, band);
   if (!in_front(seen)) return {};
   const int bin = scene_.luminance.cells().index_at(seen.x(), seen.y());
@@ -92,7 +91,7 @@ std::optional<Score> NextEvent::score(const Bsdf& surface, const core::StokesVec
     const Eigen::Vector4d s = to_film(scattered, tangential_frame(k));
     power = transmission(k, band).row(0).dot(s);
   }
-  return Score{static_cast<std::size_t>(bin), power};
+  return Score{static_cast<std::size_t>(bin), power * weight};
 }
 
 }  // namespace evenglow::tracer

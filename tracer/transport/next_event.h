@@ -19,7 +19,7 @@ class NextEvent {
   static constexpr int kDirections = 4;
 
   /// Score (1/sr) and bin for light that meets the scatterer `surface` at `position`; the direction of view is drawn
-  /// from the receiver's cone with density ~ cos. Empty: outside the active area, or nothing goes there.
+  /// from the receiver's cone. Empty: outside the active area, or nothing goes there.
   /// `light` is in the surface's frame, which for films is that of the backlight; `band`: its wavelength.
   std::optional<Score> score(const Bsdf& surface, const core::StokesVector& light, const core::Vec3& position,
                              std::size_t band, core::PhotonRng& rng) const;

@@ -142,6 +142,7 @@ void PhotonHistory::escape(const Walk& walk, BatchSums& sums) const {
   if (const auto score = scene_.energy.score(crossing)) sums.energy[score->bin] += score->weight * flux;
   if (!scene_.angular) return;
   if (const auto score = scene_.angular->score(crossing)) sums.angular[score->bin] += score->weight * flux;
+  if (const auto score = scene_.angular->spot_score(crossing)) sums.angular[score->bin] += score->weight * flux;
 }
 
 bool PhotonHistory::scatters_within(Walk& walk, const Body& body, double distance, core::PhotonRng& rng) const {
