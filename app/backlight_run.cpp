@@ -14,7 +14,9 @@
 #include "core/montecarlo/batches.h"
 #include "design/engine/checkpoint.h"
 #include "design/engine/design_loop.h"
+#include "design/engine/traced_metrology.h"
 #include "design/engine/traced_model.h"
+#include "design/report/number_format.h"
 
 namespace evenglow::app {
 namespace {
@@ -30,8 +32,14 @@ struct Stopwatch {
 };
 
 std::string estimator_text(const tracer::LuminanceReceiverSpec& luminance) {
-  const std::string cone =
+  std::string cone =
       fmt::format("a cone of {:.3g} degrees (half angle) about the normal", luminance.cone / core::kRadPerDeg);
+  if (luminance.polar > 0.0) {
+    cone = fmt::format(
+        "a cone of {:.3g} degrees (half angle) about the direction of polar angle {:.4g} and azimuth "
+        "{:.4g} degrees",
+        luminance.cone / core::kRadPerDeg, luminance.polar / core::kRadPerDeg, luminance.azimuth / core::kRadPerDeg);
+  }
   if (luminance.estimator == tracer::LuminanceEstimator::kCounting) {
     return "Mean luminance in " + cone + ", by counting the photons that leave within it.";
   }
@@ -68,12 +76,15 @@ Report describe_run(const Run& run, const RunContext& context) {
   return report;
 }
 
-void take_observation(const design::Observation& observation, Report& report) {
+void take_observation(const tracer::Scene& scene, const design::Observation& observation, Report& report) {
   report.final = make_judgment(observation);
   report.luminance = observation.map.luminance;
   report.luminance_se = observation.map.standard_error;
   report.energy = observation.energy;
   report.angular = observation.angular;
+  report.angular_spots = observation.angular_spots;
+  report.color = traced_color(scene, observation);
+  report.hot_spots = traced_hot_spots(scene, observation);
 }
 
 void finish_timing(const Stopwatch& watch, Report& report) {
@@ -146,7 +157,7 @@ std::optional<Report> run_simulation(Run run, const RunContext& context) {
   report.density = density.cells;
   report.steps = {make_step_record(0, density, *observation)};
   report.start_luminance = observation->map.luminance;
-  take_observation(*observation, report);
+  take_observation(scene, *observation, report);
   finish_timing(watch, report);
   report.timing.photons_per_cpu_s = static_cast<double>(observation->photons) / std::max(observation->cpu_s, 1e-9);
   return report;
@@ -189,7 +200,7 @@ std::optional<Report> run_design_job(Run run, const RunContext& context) {
   report.start_luminance = progress.start_luminance;
   if (!progress.level_note.empty()) report.notes.push_back(progress.level_note);
   report.notes.insert(report.notes.end(), progress.limit_notes.begin(), progress.limit_notes.end());
-  take_observation(*observation, report);
+  take_observation(scene, *observation, report);
   finish_timing(watch, report);
   return report;
 }
@@ -203,6 +214,12 @@ void print_result(const Report& report, const std::filesystem::path& directory) 
   fmt::print("  mean luminance       {:.1f} +- {:.1f} cd/m2\n", f.luminance_mean.value, f.luminance_mean.se);
   fmt::print("  efficiency           {:.2f} +- {:.2f} %\n", 100.0 * f.efficiency.value, 100.0 * f.efficiency.se);
   fmt::print("  uniformity 9 / 13    {:.3f} / {:.3f}\n", f.uniformity_9, f.uniformity_13);
+  if (report.color) {
+    fmt::print("  color                x {}, y {}, {} K\n", design::measured(report.color->mean.x),
+               design::measured(report.color->mean.y), design::measured(report.color->mean.kelvin));
+    fmt::print("  color RMS, maximum   {}, {} (delta u'v' from the mean, noise taken off)\n",
+               design::measured(report.color->rms_corrected), design::measured(report.color->max_corrected));
+  }
   fmt::print("  photons, time        {:.3g} in the final trace, {:.1f} s in all\n", static_cast<double>(f.photons),
              report.timing.wall_s);
   fmt::print("  files                {}\n", directory.string());

@@ -16,6 +16,7 @@ namespace {
 using tracer::SweepRow;
 
 constexpr std::size_t kMostTableRows = 60;
+constexpr std::ptrdiff_t kMostHazeLines = 10;
 
 /// Degrees without the rounding of the way to radians and back.
 double degrees(double rad) {
@@ -46,16 +47,34 @@ std::string state_text(const SweepRow& row) {
   return fmt::format(" {:>7.4f} {:>7.4f} {:>7.4f} {:>7.4f}", s.degree, clean(s.q), clean(s.u), clean(s.v));
 }
 
+/// One line for each wavelength at normal incidence, of the first light of the list there (natural, if it is asked
+/// for).
+std::string haze_text(const std::vector<SweepRow>& rows) {
+  std::string text;
+  double last = 0.0;
+  for (const SweepRow& row : rows) {
+    if (!row.haze || row.wavelength == last) continue;
+    last = row.wavelength;
+    text +=
+        fmt::format("haze (ASTM D1003: beyond 2.5 degrees, of the transmitted light) at {:g} nm, light {}: {:.2f} %",
+                    row.wavelength, name_of(row.light), 100.0 * row.haze->value);
+    text += row.haze->se > 0.0 ? fmt::format(" ±{:.2f} %\n", 100.0 * row.haze->se) : "\n";
+    if (std::count(text.begin(), text.end(), '\n') == kMostHazeLines) return text + "...\n";
+  }
+  return text;
+}
+
 }  // namespace
 
 std::string sweep_csv(const std::vector<SweepRow>& rows, const std::string& what, bool from_above) {
   std::string text = fmt::format(
       "# {}, lit from {}: angles in degrees, wavelength in nm, shares of the incident power (1) with standard errors "
-      "(se; 0: exact); dop, q, u, v: of the straight light, per its power, e1 in the plane of incidence\n"
+      "(se; 0: exact); dop, q, u, v: of the straight light, per its power, e1 in the plane of incidence; "
+      "haze: at sigma 0, share of the transmitted light that deviates by more than 2.5 degrees\n"
       "wavelength_nm,azimuth_deg,polarization,sigma_deg,reflectance,reflectance_se,transmittance,transmittance_se,"
       "absorbed,absorbed_se,reflectance_specular,reflectance_specular_se,transmittance_specular,"
       "transmittance_specular_se,reflectance_scattered,reflectance_scattered_se,transmittance_scattered,"
-      "transmittance_scattered_se,dop,q,u,v\n",
+      "transmittance_scattered_se,dop,q,u,v,haze,haze_se\n",
       core::one_line(what), from_above ? "above" : "below");
   for (const SweepRow& row : rows) {
     text +=
@@ -63,10 +82,11 @@ std::string sweep_csv(const std::vector<SweepRow>& rows, const std::string& what
     for (const auto share : kShares) text += fmt::format(",{:.8g},{:.4g}", (row.*share).value, (row.*share).se);
     if (row.transmitted) {
       const auto& s = *row.transmitted;
-      text += fmt::format(",{:.8g},{:.8g},{:.8g},{:.8g}\n", s.degree, clean(s.q), clean(s.u), clean(s.v));
+      text += fmt::format(",{:.8g},{:.8g},{:.8g},{:.8g}", s.degree, clean(s.q), clean(s.u), clean(s.v));
     } else {
-      text += ",,,,\n";
+      text += ",,,,";
     }
+    text += row.haze ? fmt::format(",{:.8g},{:.4g}\n", row.haze->value, row.haze->se) : std::string(",,\n");
   }
   return text;
 }
@@ -95,7 +115,7 @@ std::string sweep_table(const std::vector<SweepRow>& rows) {
       "polarization and Stokes "
       "vector per power (e1 in the plane of incidence); ";
   text += counted ? "± 1 standard error\n" : "exact\n";
-  return text;
+  return text + haze_text(rows);
 }
 
 }  // namespace evenglow::app

@@ -15,8 +15,9 @@ namespace {
 
 using core::StokesVector;
 
-/// A slice is as long as one of the yardstick's, so that each has its own tables in the cache.
-constexpr std::size_t kPasses = 16;
+/// A slice is long beside the time that filling the caches with a film's tables takes after one of the yardstick: in a
+/// run they stay there.
+constexpr std::size_t kPasses = 64;
 
 /// Lambertian light from below, each ray partly polarized in a way of its own.
 std::vector<StokesVector> incident_lights(std::size_t count) {

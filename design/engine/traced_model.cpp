@@ -5,6 +5,7 @@
 
 #include "core/base/units.h"
 #include "core/montecarlo/batches.h"
+#include "design/problem/half_angles.h"
 
 namespace evenglow::design {
 namespace {
@@ -32,15 +33,31 @@ EnergyAccount energy_account(const tracer::Scene& scene, const tracer::TraceResu
   return account;
 }
 
-AngularLuminance angular_luminance(const tracer::Scene& scene, const tracer::TraceResult& result) {
+/// Of the whole area (first bin 0) or of a spot.
+AngularLuminance angular_luminance(const tracer::Scene& scene, const tracer::TraceResult& result, double area,
+                                   std::size_t first_bin) {
   const tracer::AngularReceiver& receiver = *scene.angular;
   AngularLuminance angular;
   for (int i = 0; i <= receiver.polar_count(); ++i) angular.polar_deg.push_back(90.0 * i / receiver.polar_count());
   angular.azimuth_count = receiver.azimuth_count();
-  const core::Vec3 size = scene.box.max - scene.box.min;
-  angular.luminance =
-      make_angular_luminance(receiver, result.angular, result.flux, result.photons, size.x() * size.y());
+  angular.luminance = make_angular_luminance(receiver, result.angular, result.flux, result.photons, area, first_bin);
+  DirectionBins bins{first_bin, receiver.azimuth_count(), {}};
+  for (int i = 0; i < receiver.polar_count(); ++i) {
+    bins.ring_unit.push_back(angular_luminance_per_photon(receiver, i, result.flux, result.photons, area));
+  }
+  angular.horizontal = half_angles(result.angular, bins, 0.0);
+  angular.vertical = half_angles(result.angular, bins, 90.0);
   return angular;
+}
+
+void add_angular(const tracer::Scene& scene, const tracer::TraceResult& result, Observation& observation) {
+  const core::Vec3 size = scene.box.max - scene.box.min;
+  observation.angular = angular_luminance(scene, result, size.x() * size.y(), 0);
+  for (std::size_t i = 0; i < scene.angular->spots().size(); ++i) {
+    const tracer::AngularSpot& spot = scene.angular->spots()[i];
+    observation.angular_spots.push_back({spot.x, spot.y, 2.0 * spot.radius,
+                                         angular_luminance(scene, result, spot.area(), scene.angular->first_bin(i))});
+  }
 }
 
 }  // namespace
@@ -53,7 +70,9 @@ Observation make_observation(const tracer::Scene& scene, const tracer::TraceResu
   observation.luminance_unit = luminance_per_score(scene.luminance, result.flux, result.photons);
   observation.energy = energy_account(scene, result);
   observation.efficiency = observation.energy.escaped[static_cast<std::size_t>(tracer::Side::kTop)].share;
-  if (scene.angular) observation.angular = angular_luminance(scene, result);
+  observation.color_x = result.color_x;
+  observation.color_z = result.color_z;
+  if (scene.angular) add_angular(scene, result, observation);
   return observation;
 }
 

@@ -21,6 +21,9 @@ struct Observation {
   core::Estimate efficiency;    ///< share of the source flux that leaves the top
   EnergyAccount energy;
   std::optional<AngularLuminance> angular;
+  std::vector<SpotLuminance> angular_spots;  ///< of single spots, if asked for
+  core::Tally color_x;  ///< tristimulus values beside `luminance` (which is Y), in its unit; no bins without color
+  core::Tally color_z;
   double cpu_s = 0.0;
   double wall_s = 0.0;
 };

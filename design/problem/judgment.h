@@ -1,11 +1,13 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "core/math/cell_field.h"
 #include "core/montecarlo/estimate.h"
+#include "design/problem/metrology.h"
 
 /// What is said of a design: its steps, its final judgment, where the light went.
 namespace evenglow::design {
@@ -53,7 +55,16 @@ struct EnergyAccount {
 struct AngularLuminance {
   std::vector<double> polar_deg;  ///< edges of the polar bins, 0 to 90, size n_polar + 1
   int azimuth_count = 0;          ///< equal bins of azimuth from 0 to 360 degrees; bin i begins at i * 360 / count
-  std::vector<core::Estimate> luminance;  ///< cd/m2, index polar * azimuth_count + azimuth
+  std::vector<core::Estimate> luminance;   ///< cd/m2, index polar * azimuth_count + azimuth
+  std::optional<HalfAngles> horizontal{};  ///< in the plane of x
+  std::optional<HalfAngles> vertical{};    ///< in the plane of y
+};
+
+/// The same of a disc of the display.
+struct SpotLuminance {
+  double x = 0.0, y = 0.0;  ///< center, mm
+  double diameter = 0.0;    ///< mm
+  AngularLuminance angular;
 };
 
 }  // namespace evenglow::design

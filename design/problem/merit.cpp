@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/base/error.h"
+#include "design/problem/pair_statistic.h"
 
 namespace evenglow::design {
 namespace {
@@ -37,38 +38,14 @@ double dot(const std::vector<double>& a, const std::vector<double>& b) {
   return sum;
 }
 
-/// Root with the sign kept; its error stays finite where the value is lost in it.
-core::Estimate signed_root(double square, double se) {
-  const double root = std::copysign(std::sqrt(std::abs(square)), square);
-  const double scale = std::max(std::abs(root), std::sqrt(se));
-  return {root, scale > 0.0 ? 0.5 * se / scale : 0.0};
-}
-
-/// The U-statistic of h over pairs and its standard error.
-core::Estimate pair_statistic(const std::vector<std::vector<double>>& y) {
-  const std::size_t B = y.size();
-  const double n = static_cast<double>(B);
+/// Products of the batch maps, averaged over the cells.
+BatchProducts products_of(const std::vector<std::vector<double>>& y) {
   const double cells = static_cast<double>(y.front().size());
-  std::vector<double> row(B, 0.0);
-  double sum = 0.0;
-  double squares = 0.0;
-  for (std::size_t b = 0; b < B; ++b) {
-    for (std::size_t c = 0; c < b; ++c) {
-      const double h = dot(y[b], y[c]) / cells;
-      row[b] += h;
-      row[c] += h;
-      sum += h;
-      squares += h * h;
-    }
+  BatchProducts h(y.size());
+  for (std::size_t b = 0; b < y.size(); ++b) {
+    for (std::size_t c = 0; c < b; ++c) h.at(b, c) = dot(y[b], y[c]) / cells;
   }
-  const double pairs = 0.5 * n * (n - 1.0);
-  const double mean = sum / pairs;
-  const double zeta2 = std::max(0.0, squares / pairs - mean * mean);
-  double between = 0.0;
-  for (const double r : row) between += (r / (n - 1.0) - mean) * (r / (n - 1.0) - mean);
-  // The spread of the row means holds zeta_1 and, through the finite rows, a share of zeta_2.
-  const double zeta1 = std::max(0.0, between / (n - 1.0) - zeta2 / (n - 1.0));
-  return {mean, std::sqrt(4.0 * (n - 2.0) / (n * (n - 1.0)) * zeta1 + 2.0 / (n * (n - 1.0)) * zeta2)};
+  return h;
 }
 
 struct Point {
@@ -131,7 +108,7 @@ Evenness evenness(const Tally& luminance) {
   for (const double v : total) squares += (v - result.mean.value) * (v - result.mean.value);
   result.rms = std::sqrt(squares / static_cast<double>(total.size())) / result.mean.value;
   const auto y = centered_batches(luminance, result.mean.value / static_cast<double>(luminance.batches()));
-  const core::Estimate square = pair_statistic(y);
+  const core::Estimate square = pair_statistic(products_of(y));
   result.rms_corrected = signed_root(square.value, square.se);
   return result;
 }

@@ -19,8 +19,7 @@ struct Evenness {
 ///
 /// With y_b the map of batch b over the overall mean, less its own spatial mean, and h(b, c) = <y_b, y_c> / cells, the
 /// squared RMS without noise is the U-statistic C = mean of h over b != c: the noise of two batches is independent, so
-/// nothing has to be subtracted. Its variance is that of a U-statistic of degree 2 (Hoeffding, Ann. Math. Stat. 19,
-/// 1948), estimated from the matrix h: 4 (B - 2) / (B (B - 1)) zeta_1 + 2 / (B (B - 1)) zeta_2.
+/// nothing has to be subtracted (pair_statistic.h).
 Evenness evenness(const core::Tally& luminance);
 
 /// Minimum over maximum of the luminance of spots at 9 points (a 3 x 3 grid at 10, 50 and 90 % of length and width) and

@@ -10,6 +10,7 @@
 #include "core/math/cell_field.h"
 #include "core/montecarlo/estimate.h"
 #include "design/problem/judgment.h"
+#include "design/problem/metrology.h"
 
 /// The result of a run: facts, curves and maps with their units. Knows no file format; the writers do.
 namespace evenglow::design {
@@ -44,6 +45,9 @@ struct Report {
   double density_max = 1.0;
   EnergyAccount energy;
   std::optional<AngularLuminance> angular;
+  std::vector<SpotLuminance> angular_spots;
+  std::optional<ColorJudgment> color;
+  std::vector<HotSpots> hot_spots;  ///< of each row of LEDs
   std::vector<std::string> notes;  ///< remarks for the reader (limits that bind, assumptions of film data)
   Timing timing;
 };

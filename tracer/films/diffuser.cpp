@@ -57,7 +57,8 @@ std::optional<BsdfSample> Diffuser::sample(const core::StokesVector& incident, c
   const double chance = rng.uniform();
   const core::Vec3& k = incident.frame.k;
   if (chance < spec_.transmittance * (1.0 - spec_.haze)) return BsdfSample{incident, true};
-  if (chance < spec_.transmittance) return BsdfSample{scattered_light(incident, draw_direction(k, rng), spec_.depolarization), false};
+  if (chance < spec_.transmittance)
+    return BsdfSample{scattered_light(incident, draw_direction(k, rng), spec_.depolarization), false};
   if (chance < spec_.transmittance + spec_.reflectance) {
     return BsdfSample{scattered_light(incident, draw_direction(mirrored(k), rng), spec_.depolarization), false};
   }
@@ -76,8 +77,8 @@ core::Vec3 Diffuser::draw_direction(const core::Vec3& unscattered, core::PhotonR
       by = unscattered.y() + way * std::sin(angle);
       if (bx * bx + by * by >= 1.0) continue;
       const double beta = std::sqrt(bx * bx + by * by);
-      const double accept = lobe_ ? lobe_->scaling(beta) / lobe_->largest_scaling()
-                                  : abg_->scaling(beta) / abg_->largest_scaling();
+      const double accept =
+          lobe_ ? lobe_->scaling(beta) / lobe_->largest_scaling() : abg_->scaling(beta) / abg_->largest_scaling();
       if (rng.uniform() >= accept) continue;
     } else {  // Lambert's law: uniform over the disk of direction cosines
       const double way = std::sqrt(rng.uniform());

@@ -54,8 +54,8 @@ class Diffuser final : public Bsdf {
   std::optional<AbgLobe> abg_;
 };
 
-/// Light scattered towards `k_out` (of the power of `incident`): the unscattered ray, straight on or mirrored, is turned
-/// by the shortest way and its Q, U, V multiplied by 1 - depolarization.
+/// Light scattered towards `k_out` (of the power of `incident`): the unscattered ray, straight on or mirrored, is
+/// turned by the shortest way and its Q, U, V multiplied by 1 - depolarization.
 core::StokesVector scattered_light(const core::StokesVector& incident, const core::Vec3& k_out, double depolarization);
 
 }  // namespace evenglow::tracer

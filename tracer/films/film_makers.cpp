@@ -8,7 +8,6 @@
 #include "tracer/films/dbef.h"
 #include "tracer/films/dbef_data.h"
 #include "tracer/films/dichroic_sheet.h"
-#include "tracer/films/diffuser.h"
 #include "tracer/films/faced_body.h"
 #include "tracer/films/film_keys.h"
 #include "tracer/films/film_wavelengths.h"
@@ -124,35 +123,6 @@ Film make_lpp(const core::ConfigNode& node) {
     film.surface =
         std::make_unique<IdealPolarizer>(lpp_surface({spec.k1, spec.k2, spec.reflectance.value_or(0.0), film.axis}));
   }
-  return film;
-}
-
-Film make_diffuser(const core::ConfigNode& node) {
-  Film film = film_of("diffuser", node);
-  Diffuser::Spec spec;
-  spec.transmittance = share(node, "transmittance", "total transmittance", 0.9);
-  spec.reflectance = share(node, "reflectance", "total reflectance; default: 0.1, or what transmittance leaves",
-                           std::min(0.1, 1.0 - spec.transmittance));
-  spec.haze = share(node, "haze", "share of the transmitted light that is scattered", 1.0);
-  spec.depolarization = share(node, "depolarization", "of scattered light: 0 keeps its polarization, 1 none", 0.0);
-  const std::string lobe =
-      node.choice({"lobe", "shape of the scattered light", {"gaussian", "lambertian"}, "gaussian"});
-  if (lobe == "gaussian") {
-    spec.fwhm = node.number({"fwhm_deg", "full width at half maximum of the luminance of the lobe at normal incidence",
-                             Range::closed(1, 150), 40.0});
-  }
-  require_sum(node, spec.transmittance, "transmittance", spec.reflectance, "reflectance");
-  film.surface = std::make_unique<Diffuser>(spec);
-  return film;
-}
-
-Film make_sheet(const core::ConfigNode& node) {
-  Film film = film_of("sheet", node);
-  DielectricSheet sheet;
-  sheet.refractive_index = node.number({"refractive_index", "of the sheet", Range::closed(1.0001, 4), 1.5});
-  sheet.absorption = node.number({"absorption_per_m", "bulk absorption coefficient", Range::closed(0, 1e6), 0.0});
-  sheet.thickness = node.number({"thickness_mm", "of the sheet", Range::closed(0.001, 100), 0.1});
-  film.sheet = sheet;
   return film;
 }
 

@@ -22,15 +22,7 @@ namespace evenglow::tracer {
 /// reflectance at most 1 | 0.04 |
 /// |  | angle_dependence | none, or sheet: longer path and projected dye of oblique rays (dichroic_sheet.h) | none |
 /// |  | refractive_index | with `sheet`, instead of `reflectance`: smooth faces, [1.0001, 4] | none |
-/// | diffuser | transmittance, reflectance | totals, sum at most 1 | 0.9, 0.1 |
-/// |  |
-/// haze | share of the transmitted light that is scattered | 1 | |  | lobe | gaussian or lambertian | gaussian | |  |
-/// fwhm_deg | gaussian: full width at half maximum of the luminance lobe at normal incidence, [1, 150] | 40 | |  |
-/// depolarization | of scattered light, [0, 1] | 0 | | sheet | refractive_index | [1.0001, 4] | 1.5 | |  |
-/// absorption_per_m | bulk, 1/m | 0 | |  | thickness_mm | [0.001, 100] | 0.1 |
 Film make_dbef(const core::ConfigNode& node);
 Film make_lpp(const core::ConfigNode& node);
-Film make_diffuser(const core::ConfigNode& node);
-Film make_sheet(const core::ConfigNode& node);
 
 }  // namespace evenglow::tracer

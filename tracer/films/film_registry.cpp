@@ -2,9 +2,11 @@
 
 #include "tracer/films/bef_maker.h"
 #include "tracer/films/carrier.h"
+#include "tracer/films/diffuser_maker.h"
 #include "tracer/films/film_makers.h"
 #include "tracer/films/mueller_film_maker.h"
 #include "tracer/films/retarder.h"
+#include "tracer/films/sheet.h"
 #include "tracer/films/wire_grid_maker.h"
 
 namespace evenglow::tracer {
@@ -19,7 +21,7 @@ const core::Registry<Film>& film_registry() {
       {"retarder", "wave plate", make_retarder},
       {"carrier", "birefringent carrier sheet, mixes polarization states", make_carrier},
       {"diffuser", "scatters and may depolarize", make_diffuser},
-      {"sheet", "plain dielectric sheet with two smooth faces", make_sheet},
+      {"sheet", "dielectric sheet with two smooth faces, clear or scattering in its bulk", make_sheet},
   });
   return kinds;
 }

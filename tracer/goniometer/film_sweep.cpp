@@ -7,6 +7,8 @@
 #include "core/base/units.h"
 #include "core/montecarlo/batches.h"
 #include "core/montecarlo/photon_rng.h"
+#include "tracer/films/haze.h"
+#include "tracer/films/scattering_sheet.h"
 #include "tracer/optics/dielectric_face.h"
 #include "tracer/polarized_bsdf/pass_axis.h"
 
@@ -22,15 +24,23 @@ constexpr std::uint64_t kPhotonsPerLook = 1 << 16;
 struct Optics {
   const Bsdf* surface = nullptr;
   const DielectricSheet* sheet = nullptr;
-  FilmOptics made;  ///< what the two point to, if it was made for the wavelength
+  FilmOptics made;             ///< what the two point to, if it was made for the wavelength
+  bool tells_straight = true;  ///< `specular` holds all straight light
 };
 
 Optics optics_at(const Film& film, double wavelength) {
-  Optics optics{film.surface.get(), film.sheet ? &*film.sheet : nullptr, {}};
+  Optics optics{film.surface.get(), film.sheet ? &*film.sheet : nullptr, {}, true};
   if (film.at_wavelength) {
     optics.made = film.at_wavelength(wavelength);
     optics.surface = optics.made.surface.get();
     optics.sheet = optics.made.sheet ? &*optics.made.sheet : nullptr;
+  }
+  if (optics.sheet != nullptr && optics.sheet->scattering) {
+    optics.made.surface = std::make_unique<ScatteringSheet>(*optics.sheet);
+    optics.surface = optics.made.surface.get();
+    optics.sheet = nullptr;
+  } else if (optics.surface != nullptr) {
+    optics.tells_straight = !optics.surface->redirects();
   }
   return optics;
 }
@@ -70,6 +80,7 @@ void set_exact(const Bsdf::Specular& s, const Eigen::Vector4d& light, const Tang
   row.transmittance.value = row.specular_transmittance.value = through[0];
   row.reflectance.value = row.specular_reflectance.value = (s.reflection * light)[0];
   row.absorbed.value = std::max(0.0, 1.0 - row.transmittance.value - row.reflectance.value);
+  if (row.sigma == 0.0 && row.transmittance.value > 0.0) row.haze = core::Estimate{};
   set_state(through, frame, row);
 }
 
@@ -82,6 +93,7 @@ core::Estimate binomial(double hits, double trials) {
 struct Counts {
   double through[2] = {0, 0};  ///< specular, elsewhere
   double back[2] = {0, 0};
+  double deviated = 0;  ///< of `through`: by more than the angle of haze
 };
 
 /// False if it was stopped.
@@ -89,6 +101,7 @@ bool count(const Bsdf& surface, const core::StokesVector& light, const core::Ran
            Counts& counts) {
   const core::Vec3& k = light.frame.k;
   const core::Vec3 mirrored(k.x(), k.y(), -k.z());
+  const double least_cosine = std::cos(kHazeAngle);
   for (std::uint64_t i = 0; i < spec.photons; ++i) {
     if (i % kPhotonsPerLook == 0 && spec.stop.stop_requested()) return false;
     core::PhotonRng rng(key, i);
@@ -97,6 +110,7 @@ bool count(const Bsdf& surface, const core::StokesVector& light, const core::Ran
     const bool through = out->light.frame.k.z() * k.z() > 0.0;
     const bool straight = out->specular && (out->light.frame.k - (through ? k : mirrored)).norm() < kSameDirection;
     ++(through ? counts.through : counts.back)[straight ? 0 : 1];
+    if (through && out->light.frame.k.dot(k) < least_cosine) ++counts.deviated;
   }
   return true;
 }
@@ -109,6 +123,8 @@ void set_counted(const Counts& c, double n, SweepRow& row) {
   row.transmittance = binomial(c.through[0] + c.through[1], n);
   row.reflectance = binomial(c.back[0] + c.back[1], n);
   row.absorbed = binomial(n - c.through[0] - c.through[1] - c.back[0] - c.back[1], n);
+  const double passed = c.through[0] + c.through[1];
+  if (row.sigma == 0.0 && passed > 0.0) row.haze = binomial(c.deviated, passed);
 }
 
 /// False if it was stopped.
@@ -129,7 +145,7 @@ bool measure_row(const Film& film, const Optics& optics, const SweepSpec& spec, 
   const core::RandomKey key{spec.seed, static_cast<std::uint32_t>(index), 0};
   if (!count(*optics.surface, from_film(light, frame), key, spec, counts)) return false;
   set_counted(counts, static_cast<double>(spec.photons), row);
-  if (!optics.surface->redirects()) set_state(optics.surface->specular(k).transmission * light, frame, row);
+  if (optics.tells_straight) set_state(optics.surface->specular(k).transmission * light, frame, row);
   return true;
 }
 
@@ -155,7 +171,7 @@ std::vector<SweepRow> rows_of(const SweepSpec& spec) {
 }  // namespace
 
 bool needs_photons(const Film& film) {
-  return is_counted(film.surface.get());
+  return is_counted(film.surface.get()) || (film.sheet && film.sheet->scattering);
 }
 
 std::optional<std::vector<SweepRow>> sweep_film(const Film& film, const SweepSpec& spec) {

@@ -31,8 +31,9 @@ struct SweepSpec {
   std::function<void(std::uint64_t)> progress{};  ///< photons done so far; from any thread, one call at a time
 };
 
-/// Shares of the incident power. Exact (se 0) for films that are told by `Bsdf::specular`, sheets with a body included;
-/// counted photons with binomial standard errors for the others, where the shares sum to 1 exactly.
+/// Shares of the incident power. Exact (se 0) for films that are told by `Bsdf::specular`, clear sheets with a body
+/// included; counted photons with binomial standard errors for the others, where the shares sum to 1 exactly. A sheet
+/// that scatters in its bulk is traced through its faces (scattering_sheet.h).
 struct SweepRow {
   double wavelength = 550.0, azimuth = 0.0, sigma = 0.0;
   SweepLight light = SweepLight::natural;
@@ -46,6 +47,8 @@ struct SweepRow {
     double degree = 0.0, q = 0.0, u = 0.0, v = 0.0;
   };
   std::optional<State> transmitted;
+  /// At normal incidence, if anything passes: haze as of ASTM D1003 (haze.h), a share of the transmitted light.
+  std::optional<core::Estimate> haze;
 };
 
 /// Rows of the spec: wavelength, azimuth, light, sigma; the last fastest. Empty if it was stopped. The numbers depend
