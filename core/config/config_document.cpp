@@ -2,6 +2,7 @@
 
 #include "core/config/config_node_impl.h"
 #include "core/config/config_state.h"
+#include "core/config/includes.h"
 #include "core/config/message_text.h"
 #include "core/config/text_file.h"
 #include "core/config/yaml_reader.h"
@@ -28,6 +29,7 @@ std::unique_ptr<ConfigState> parsed(std::string text, const std::string& name, s
     throw ConfigError(Fault{one_line(name), root.place.line, root.place.column, "",
                             "must hold a map of keys (`key: value`), got " + described(root)});
   }
+  expand_includes(*state, *state->root, "", state->folder);
   state->text = std::move(text);
   return state;
 }

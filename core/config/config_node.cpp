@@ -138,7 +138,9 @@ std::filesystem::path ConfigNode::file(const TextKey& declaration) const {
   if (found != nullptr) name = text_of(*impl_, *found, declaration);
   if (!name || (found == nullptr && name->empty())) return {};
   const std::string path = key_path(impl_->path, declaration.key);
-  const std::filesystem::path file = impl_->state->folder / *name;
+  const auto& folders = impl_->state->folders;
+  const auto own = found != nullptr ? folders.find(*found->place.file) : folders.end();
+  const std::filesystem::path file = (own != folders.end() ? own->second : impl_->state->folder) / *name;
   const bool nameless = name->empty() || name->find('\0') != std::string::npos;
   const std::string trouble = nameless ? "must be the name of a file, got " + described(*found) : file_trouble(file);
   if (trouble.empty()) {

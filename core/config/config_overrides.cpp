@@ -5,6 +5,7 @@
 
 #include "core/config/config_node.h"
 #include "core/config/config_state.h"
+#include "core/config/includes.h"
 #include "core/config/key_path.h"
 #include "core/config/message_text.h"
 #include "core/config/yaml_limits.h"
@@ -94,6 +95,7 @@ void ConfigDocument::apply(const Override& change) {
                               : read_yaml(change.yaml, {place.file, shown_path, false}, faults);
   state_->note(faults);
   if (!value) return;
+  if (!change.located) expand_includes(*state_, *value, shown_path, state_->folder);
   if (static_cast<int>(steps->size()) + extent_of(*value).depth > kMaxConfigDepth) {
     return state_->note(place, shown_path, kTooDeep);
   }

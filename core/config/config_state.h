@@ -31,6 +31,7 @@ struct ConfigState {
   std::shared_ptr<const std::string> file;  ///< name for messages
   std::string text;
   std::filesystem::path folder;
+  std::unordered_map<std::string, std::filesystem::path> folders;  ///< of included files, by their name for messages
   std::unique_ptr<ConfigValue> root;
   std::vector<std::unique_ptr<ConfigValue>> replaced;  ///< by overrides; nodes may still point there
   std::vector<NotedFault> faults;
