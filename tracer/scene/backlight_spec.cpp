@@ -8,7 +8,7 @@
 #include "tracer/films/film_registry.h"
 #include "tracer/scene/cell_keys.h"
 #include "tracer/scene/density_file.h"
-#include "tracer/scene/material_keys.h"
+#include "tracer/scene/plate_keys.h"
 #include "tracer/scene/receiver_keys.h"
 #include "tracer/sources/window_overlap.h"
 
@@ -21,15 +21,6 @@ using core::Range;
 constexpr Range kLength = {0.1, 10000.0, false, false};
 constexpr double kDefaultLength = 140.0;
 constexpr double kDefaultWidth = 66.0;
-
-LightGuidePlateSpec read_plate(const ConfigNode& node) {
-  LightGuidePlateSpec plate;
-  plate.length = node.number({"length_mm", "length, along x, away from the left edge", kLength, kDefaultLength});
-  plate.width = node.number({"width_mm", "width, along y", kLength, kDefaultWidth});
-  plate.thickness = node.number({"thickness_mm", "thickness", {0.01, 1000.0, false, false}, 0.6});
-  plate.material = read_material(node);
-  return plate;
-}
 
 /// The key `density_file`: the map takes the place of `density`, and its cells that of `cells`.
 void read_density_map(const ConfigNode& node, MicrostructureSpec& spec) {
@@ -106,6 +97,10 @@ void read_sources(const ConfigNode& backlight, BacklightSpec& spec) {
     if (!source) continue;
     if (source->kind == "led_row" && !spec.plate) {
       node.fault("an led_row needs a light_guide_plate to stand at, got none");
+      continue;
+    }
+    if (spec.plate && spec.plate->end_thickness < spec.plate->thickness && source->side == Side::kRight) {
+      node.fault("a wedge is lit at its thick end, left, or at front, back, bottom or top, got a source at the right");
       continue;
     }
     SourcePointer placed = source->place(place);

@@ -22,11 +22,20 @@
 
 namespace evenglow::tracer {
 
+/// Serrations of end faces.
+struct EntranceTexture {
+  std::vector<Side> sides;
+  /// Optics at a refractive index of the plate; `axis` (rad): direction of the ridges in the frame of the surface.
+  std::function<std::unique_ptr<const Bsdf>(double, double)> optics;
+};
+
 struct LightGuidePlateSpec {
   double length = 140.0;                     ///< mm, along x
   double width = 66.0;                       ///< mm, along y
-  double thickness = 0.6;                    ///< mm
+  double thickness = 0.6;                    ///< mm, at the left edge
+  double end_thickness = 0.6;                ///< mm, at the right edge; smaller: a wedge whose bottom rises
   std::function<Material(double)> material;  ///< at a wavelength (nm)
+  std::optional<EntranceTexture> entrance;
 };
 
 struct MicrostructureSpec {

@@ -39,6 +39,12 @@ struct Surface {
   int body = -1;                     ///< the dielectric body that this face bounds, -1: none
   bool is_viewed_scatterer = false;  ///< the topmost scattering film, where the next-event estimate is made
   std::vector<SurfaceWindow> windows;
+  /// The wall of a wedge: only where `trim_normal` . p >= trim_offset; zero normal: everywhere.
+  core::Vec3 trim_normal = core::Vec3::Zero();
+  double trim_offset = 0.0;
+
+  bool is_trimmed() const { return trim_normal.z() != 0.0; }
+  bool holds(const core::Vec3& p) const { return trim_normal.dot(p) >= trim_offset; }
 };
 
 /// A dielectric body.

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "tracer/optics/dielectric_face.h"
@@ -9,6 +10,29 @@ namespace evenglow::tracer {
 namespace {
 
 using core::Vec3;
+
+/// Unit vector in a face that lies along `direction` as far as it can.
+Vec3 along_face(const Vec3& direction, const Vec3& normal) {
+  return (direction - direction.dot(normal) * normal).normalized();
+}
+
+/// Side of a plate whose bottom rises by `lift` (mm) from x = min to max. Front and back keep the rectangle; what the
+/// rising bottom cuts off them is for `Surface::trim_normal`.
+Quad side_of_wedge(const Box& box, Side side, double lift) {
+  Quad quad = side_of(box, side);
+  if (side == Side::kBottom) {
+    for (Vec3* edge : {&quad.u, &quad.v}) {
+      if (edge->x() > 0.0) edge->z() += lift;
+    }
+  }
+  if (side == Side::kRight) {
+    for (Vec3* edge : {&quad.u, &quad.v}) {
+      if (edge->z() > 0.0) edge->z() -= lift;
+    }
+    quad.corner.z() += lift;
+  }
+  return quad;
+}
 
 /// Collects quads and surfaces of the scene for one wavelength; quads, parts and placements are alike for all.
 class SceneBuilder {
@@ -36,7 +60,7 @@ class SceneBuilder {
   int add(const Quad& quad, Surface surface) {
     surface.normal = quad.normal();
     // The local x of horizontal surfaces is the plate's x: a film's axis counts from it.
-    surface.x = std::abs(surface.normal.z()) > 0.5 ? Vec3::UnitX() : Vec3(quad.u.normalized());
+    surface.x = std::abs(surface.normal.z()) > 0.5 ? along_face(Vec3::UnitX(), surface.normal) : quad.u.normalized();
     surface.y = surface.normal.cross(surface.x);
     quads_.push_back(quad);
     optics_.surfaces.push_back(std::move(surface));
@@ -56,7 +80,8 @@ class SceneBuilder {
     return box;
   }
 
-  void add_body(const Box& place, const Body& body) {
+  /// `lift`: of a wedge, see `side_of_wedge`.
+  void add_body(const Box& place, const Body& body, double lift = 0.0) {
     const int id = static_cast<int>(optics_.bodies.size());
     optics_.bodies.push_back(body);
     optics_.owned.push_back(std::make_unique<DielectricFace>(body.refractive_index, 1.0));
@@ -65,18 +90,33 @@ class SceneBuilder {
       surface.optics = optics_.owned.back().get();
       surface.part = body.part;
       surface.body = id;
-      add(side_of(place, static_cast<Side>(i)), std::move(surface));
+      const auto side = static_cast<Side>(i);
+      if (lift > 0.0 && (side == Side::kFront || side == Side::kBack)) {
+        surface.trim_normal = Vec3(-lift, 0.0, place.max.x() - place.min.x()).normalized();
+        surface.trim_offset = surface.trim_normal.dot(place.min);
+      }
+      add(side_of_wedge(place, side, lift), std::move(surface));
     }
   }
 
   void add_plate() {
     const Material material = spec_.plate->material(wavelength_);
-    add_body(spec_.area, {material.refractive_index, material.absorption, part("light_guide_plate")});
+    add_body(spec_.area, {material.refractive_index, material.absorption, part("light_guide_plate")},
+             spec_.plate->thickness - spec_.plate->end_thickness);
+    if (spec_.plate->entrance) serrate(*spec_.plate->entrance, material.refractive_index);
     if (!spec_.microstructure) return;
     Surface& face = optics_.surfaces[static_cast<std::size_t>(spec_.microstructure->face)];
     optics_.owned.push_back(spec_.microstructure->shape.optics(material.refractive_index));
     face.pattern = optics_.owned.back().get();
     face.pattern_part = part("microstructure");
+  }
+
+  void serrate(const EntranceTexture& texture, double index) {
+    for (const Side side : texture.sides) {
+      Surface& face = optics_.surfaces[static_cast<std::size_t>(side)];
+      optics_.owned.push_back(texture.optics(index, std::atan2(face.y.z(), face.x.z())));  // ridges along z
+      face.optics = optics_.owned.back().get();
+    }
   }
 
   void add_reflector(Side side) {

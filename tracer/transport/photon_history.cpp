@@ -97,7 +97,9 @@ bool PhotonHistory::can_meet(const Photon& photon, int quad) const {
 }
 
 bool PhotonHistory::consistent(const Photon& photon, const RayHit& hit) const {
-  return hit.quad < 0 ? photon.body < 0 : can_meet(photon, hit.quad);
+  if (hit.quad < 0) return photon.body < 0;
+  const Surface& surface = quads_[static_cast<std::size_t>(hit.quad)];
+  return can_meet(photon, hit.quad) && (photon.body >= 0 || !surface.is_trimmed() || surface.holds(hit.position));
 }
 
 RayHit PhotonHistory::next_hit(const Walk& walk) const {
@@ -109,9 +111,11 @@ RayHit PhotonHistory::next_hit(const Walk& walk) const {
   const RayHit hit = scene_.caster->nearest(photon.position, photon.light.frame.k, photon.quad);
   const bool back_into_corner = hit.quad >= 0 && hit.quad == walk.corner && hit.distance <= kSamePoint;
   if (consistent(photon, hit) && !back_into_corner) return hit;
-  const int corner = back_into_corner ? walk.corner : -1;
+  // A trimmed wall that was met where it is cut off is passed.
+  const bool beyond_trim = hit.quad >= 0 && quads_[static_cast<std::size_t>(hit.quad)].is_trimmed();
+  const int passed = back_into_corner ? walk.corner : beyond_trim ? hit.quad : -1;
   return scene_.caster->nearest_exact(photon.position, photon.light.frame.k,
-                                      [&](int quad) { return quad != corner && can_meet(photon, quad); });
+                                      [&](int quad) { return quad != passed && can_meet(photon, quad); });
 }
 
 PhotonHistory::Encounter PhotonHistory::meet(const Surface& surface, const Vec3& position, core::PhotonRng& rng) const {

@@ -1,0 +1,157 @@
+#include "tracer/scene/receiver_keys.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <string>
+
+#include <fmt/core.h>
+
+#include "core/base/units.h"
+#include "tracer/scene/cell_keys.h"
+
+namespace evenglow::tracer {
+namespace {
+
+using core::ConfigNode;
+using core::Range;
+
+core::CellGrid active_area(const ConfigNode& node, const Box& area, std::pair<int, int> cells) {
+  std::array<double, 4> margin{};
+  const ConfigNode margins = node.map("margins", "border of the plate that the display does not show");
+  for (std::size_t i = 0; i < 4; ++i) {
+    const std::string key = std::string(side_name(static_cast<Side>(i))) + "_mm";
+    margin[i] = margins.number({key, "width of the border at this side", Range::closed(0, 1000), 0.0});
+  }
+  const double x0 = area.min.x() + margin[0];
+  const double x1 = area.max.x() - margin[1];
+  const double y0 = area.min.y() + margin[2];
+  const double y1 = area.max.y() - margin[3];
+  if (x1 - x0 < 0.01 || y1 - y0 < 0.01) {
+    margins.fault(fmt::format("must leave an active area, got {} mm x {} mm", x1 - x0, y1 - y0));
+    return core::CellGrid::over(cells.first, cells.second, area.min.x(), area.min.y(), area.max.x(), area.max.y());
+  }
+  return core::CellGrid::over(cells.first, cells.second, x0, y0, x1, y1);
+}
+
+/// What the topmost scattering film sends to the viewer must not be shut off by a sheet above it, nor turned aside by a
+/// prism film or a sheet that scatters in its bulk.
+bool next_event_works(const BacklightSpec& spec) {
+  if (spec.reflectors[static_cast<std::size_t>(Side::kTop)]) return false;
+  const auto decides = [](const Film& film) {
+    return film.surface ? film.surface->scatters() || film.surface->redirects() : film.sheet->scattering.has_value();
+  };
+  const auto top = std::find_if(spec.films.rbegin(), spec.films.rend(), decides);
+  return top != spec.films.rend() && top->surface && top->surface->scatters() && !top->surface->redirects();
+}
+
+void read_direction(const ConfigNode& node, BacklightSpec& spec) {
+  const auto direction = node.numbers({"direction_deg",
+                                       "direction of view, the axis of the cone: polar angle from the normal, azimuth "
+                                       "from +x towards +y",
+                                       Range::closed(-360, 360),
+                                       2,
+                                       2,
+                                       {{0.0, 0.0}}});
+  const double polar = direction[0] / core::kRadPerDeg;
+  const double cone = spec.luminance.cone / core::kRadPerDeg;
+  constexpr double kHorizon = 89.0;
+  if (polar < 0.0) {
+    node.fault_at("direction_deg", fmt::format("the polar angle must not be negative, got {:.6g}", polar));
+  } else if (polar > 0.0 && polar + cone > kHorizon + 1e-9) {
+    node.fault_at("direction_deg", fmt::format("the polar angle and the cone's half angle ({:.6g} degrees) must not be "
+                                               "more than {} degrees together, got {:.6g}",
+                                               cone, kHorizon, polar + cone));
+  } else {
+    spec.luminance.polar = direction[0];
+    spec.luminance.azimuth = direction[1];
+  }
+}
+
+void read_luminance(const ConfigNode& node, BacklightSpec& spec) {
+  const core::CellGrid& whole = spec.luminance.cells;
+  spec.luminance.cells = active_area(node, spec.area, read_cells(node, {whole.nx, whole.ny}));
+  spec.luminance.cone = node.number(
+      {"cone_deg", "half angle of the viewing cone", Range::closed(0.5, 90), spec.luminance.cone / core::kRadPerDeg});
+  read_direction(node, spec);
+  const std::string estimator =
+      node.choice({"estimator",
+                   "how the luminance is estimated: at the topmost scattering film, by counting, or what fits",
+                   {"auto", "next_event", "counting"},
+                   "auto"});
+  if (estimator == "next_event" && spec.luminance.estimator == LuminanceEstimator::kCounting) {
+    node.fault_at("estimator",
+                  "next_event needs a film that scatters (diffuser or a dbef with a table), and above it neither a "
+                  "prism film nor a "
+                  "reflector at the top");
+  }
+  if (estimator == "counting") spec.luminance.estimator = LuminanceEstimator::kCounting;
+}
+
+void read_angular(const ConfigNode& node, BacklightSpec& spec) {
+  AngularReceiverSpec angular;
+  angular.polar_count =
+      static_cast<int>(node.integer({"polar_count", "bins of the polar angle from 0 to 90 degrees", 1, 180, 18}));
+  angular.azimuth_count =
+      static_cast<int>(node.integer({"azimuth_count", "bins of the azimuth from 0 to 360 degrees", 1, 360, 24}));
+  const std::string at = node.choice({"at",
+                                      "all: over the whole area; center, 9, 13: also at spots of the active area",
+                                      {"all", "center", "9", "13"},
+                                      "all"});
+  angular.spots = at == "all" ? 0 : at == "center" ? 1 : std::stoi(at);
+  const core::CellGrid& area = spec.luminance.cells;
+  const double width = area.nx * area.dx, height = area.ny * area.dy;
+  const double largest = 0.2 * std::min(width, height);  // then no spots overlap, and none sticks out
+  const double usual = std::min(0.08 * std::hypot(width, height), largest);
+  const double spot = node.number({"spot_mm", "diameter of a spot", Range::positive(2000.0), usual});
+  if (spot > largest * (1.0 + 1e-9)) {
+    node.fault_at("spot_mm", fmt::format("must be at most a fifth of the shorter side of the active area ({:.6g} mm), "
+                                         "got {:.6g} mm",
+                                         largest, spot));
+  }
+  angular.spot_radius = 0.5 * spot;
+  constexpr int kMostBins = 100000;
+  if (angular.spots > 0 && angular.polar_count * angular.azimuth_count * (angular.spots + 1) > kMostBins) {
+    node.fault_at("at", fmt::format("must not make more than {} bins in all, got {} for each of {} spots", kMostBins,
+                                    angular.polar_count * angular.azimuth_count, angular.spots));
+  }
+  spec.angular = angular;
+}
+
+/// What holds unless the run file says otherwise: the whole area in the cells of the pattern.
+void default_luminance(BacklightSpec& spec) {
+  const int nx = spec.microstructure ? spec.microstructure->nx : 96;
+  const int ny = spec.microstructure ? spec.microstructure->ny : 48;
+  spec.luminance.cells =
+      core::CellGrid::over(nx, ny, spec.area.min.x(), spec.area.min.y(), spec.area.max.x(), spec.area.max.y());
+  spec.luminance.estimator = next_event_works(spec) ? LuminanceEstimator::kNextEvent : LuminanceEstimator::kCounting;
+}
+
+}  // namespace
+
+void read_receivers(const ConfigNode& backlight, BacklightSpec& spec) {
+  const auto nodes = backlight.maps("receivers", "what is measured; by default all three kinds", 10);
+  std::set<std::string> seen;
+  default_luminance(spec);
+  const ConfigNode* angular = nullptr;
+  for (const ConfigNode& node : nodes) {
+    const std::string kind = node.choice(
+        {"kind",
+         "luminance: of each cell; flux: the energy account (always kept); angular: luminance by viewing direction; "
+         "color: chromaticity of each cell of the luminance receiver",
+         {"luminance", "flux", "angular", "color"},
+         {}});
+    if (!seen.insert(kind).second) node.fault(fmt::format("there must be one {} receiver at most, got another", kind));
+    if (kind == "luminance") {
+      read_luminance(node, spec);
+    } else if (kind == "color") {
+      spec.color = true;
+    } else if (kind == "angular") {
+      angular = &node;
+    }
+  }
+  if (angular != nullptr) read_angular(*angular, spec);  // its spots lie in the active area of the luminance receiver
+  if (nodes.empty()) spec.angular = AngularReceiverSpec{};
+}
+
+}  // namespace evenglow::tracer
