@@ -17,10 +17,11 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::array<const char*, 13> kResultNames = {
-    "result.json",      "compare.json", "report.html", "convergence.csv", "luminance.csv",
-    "luminance_se.csv", "density.csv",  "angular.csv", "compare.csv",     "convergence.png",
-    "luminance.png",    "density.png",  "compare.png"};
+constexpr std::array<const char*, 22> kResultNames = {
+    "result.json",     "compare.json", "report.html",    "convergence.csv",  "luminance.csv",  "luminance_se.csv",
+    "density.csv",     "angular.csv",  "compare.csv",    "convergence.png",  "luminance.png",  "density.png",
+    "compare.png",     "color_u.csv",  "color_u_se.csv", "color_v.csv",      "color_v_se.csv", "delta_uv.csv",
+    "delta_uv_se.csv", "delta_uv.png", "hot_spots.csv",  "angular_spots.csv"};
 
 std::optional<std::string> first_result(const fs::path& directory) {
   std::error_code ignored;

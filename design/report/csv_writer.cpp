@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "design/report/csv_metrology.h"
 #include "design/report/number_format.h"
 #include "design/report/output_file.h"
 #include "design/report/text_escape.h"
@@ -89,6 +90,7 @@ void CsvWriter::write(const Report& report, const std::filesystem::path& directo
   write_matrix(report.density, "density of the microstructure (share of the cell's area, 1)",
                directory / "density.csv");
   if (report.angular) write_file(directory / "angular.csv", angular_csv(*report.angular));
+  write_metrology(report, directory);
 }
 
 void CsvWriter::write(const Comparison& comparison, const std::filesystem::path& directory) const {

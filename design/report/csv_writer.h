@@ -9,7 +9,8 @@ namespace evenglow::design {
 /// Tables for other programs. Numbers read back as they were; the first line of a matrix or of the angular table is a
 /// comment (#) with units. Of a single run: convergence.csv, luminance.csv, luminance_se.csv, density.csv (rows = y
 /// from the front, columns = x from the left; a field without values is left out) and, if there is an angular receiver,
-/// angular.csv. Of a comparison: compare.csv, a row for each variant with its ratios to the first.
+/// angular.csv; then the tables of csv_metrology.h. Of a comparison: compare.csv, a row for each variant with its
+/// ratios to the first.
 class CsvWriter final : public ReportWriter {
  public:
   void write(const Report& report, const std::filesystem::path& directory) const override;

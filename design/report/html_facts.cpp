@@ -1,5 +1,6 @@
 #include "design/report/html_facts.h"
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 
@@ -29,6 +30,17 @@ struct FinalRow {
   const char* unit;
   std::function<std::string(const Report&)> value;
 };
+
+std::vector<FinalRow> color_rows() {
+  const auto of = [](core::Estimate ColorJudgment::*figure) {
+    return [figure](const Report& r) { return r.color ? measured((*r.color).*figure) : std::string(); };
+  };
+  return {{"color temperature", "K",
+           [](const Report& r) { return r.color ? measured(r.color->mean.kelvin) : std::string(); }},
+          {"\u0394u\u2032v\u2032 from the mean color, RMS", "", of(&ColorJudgment::rms_corrected)},
+          {"\u0394u\u2032v\u2032 from the mean color, greatest", "", of(&ColorJudgment::max_corrected)},
+          {"\u0394u\u2032v\u2032 of display from sources", "", of(&ColorJudgment::shift)}};
+}
 
 std::vector<FinalRow> final_rows() {
   const auto per_lumen = [](const Report& r) {
@@ -101,7 +113,11 @@ std::string final_table(const std::vector<const Report*>& reports) {
   std::string html = "<div class=\"scroll\"><table>\n<thead><tr><th></th>";
   for (const Report* report : reports) html += "<th class=\"n\">" + html_escape(report->variant) + "</th>";
   html += "<th></th></tr></thead>\n<tbody>\n";
-  for (const FinalRow& row : final_rows()) {
+  std::vector<FinalRow> rows = final_rows();
+  if (std::any_of(reports.begin(), reports.end(), [](const Report* r) { return r->color.has_value(); })) {
+    for (const FinalRow& row : color_rows()) rows.push_back(row);
+  }
+  for (const FinalRow& row : rows) {
     html += fmt::format("<tr><td>{}</td>", row.name);
     for (const Report* report : reports) html += "<td class=\"n\">" + html_escape(row.value(*report)) + "</td>";
     html += fmt::format("<td>{}</td></tr>\n", row.unit);

@@ -6,6 +6,7 @@
 #include "design/report/html_energy.h"
 #include "design/report/html_facts.h"
 #include "design/report/html_figures.h"
+#include "design/report/html_metrology.h"
 #include "design/report/html_page.h"
 #include "design/report/number_format.h"
 #include "design/report/output_file.h"
@@ -111,7 +112,7 @@ std::string angular_part(const Reports& reports, PageData& data) {
                       joined({curve_figure(angular_section(reports, SectionDirection::along_x), "", data),
                               curve_figure(angular_section(reports, SectionDirection::along_y), "", data)}),
                       "") +
-         figure_group("three", discs, "");
+         half_angle_table(reports) + figure_group("three", discs, "");
 }
 
 std::string energy_part(const Reports& reports) {
@@ -135,7 +136,8 @@ std::string run_body(const Report& report, const std::string& id, PageData& data
             "<details><summary>The steps in figures</summary>\n" + step_table(report) + "</details>\n";
   }
   return joined({headline_cards(report), notes_part(report), steps, heading("Luminance and density"),
-                 run_maps(report, id, data), heading("Sections"), section_part(alone, data), angular_part(alone, data),
+                 run_maps(report, id, data), heading("Sections"), section_part(alone, data),
+                 hot_spot_section(report, data), color_section(report, data), angular_part(alone, data),
                  energy_part(alone), heading("How to repeat"), repeat_table(report), run_file_fold(report)});
 }
 

@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "design/report/json_metrology.h"
 #include "design/report/output_file.h"
 
 namespace evenglow::design {
@@ -89,31 +90,34 @@ Json variant_of(const Report& report) {
   variant["overrides"] = report.overrides;
   variant["seed"] = report.seed;
   variant["run_file_sha256"] = report.run_file_sha256;
+  add_metrology(report, variant);
   return variant;
 }
 
 }  // namespace
 
 std::string result_json(const Report& report) {
-  return text_of({{"format", "evenglow-result/1"},
-                  {"version", report.version},
-                  {"title", report.title},
-                  {"variant", report.variant},
-                  {"command", report.command},
-                  {"overrides", report.overrides},
-                  {"run_file_sha256", report.run_file_sha256},
-                  {"seed", report.seed},
-                  {"threads", report.threads},
-                  {"ranks", report.ranks},
-                  {"stop_reason", report.stop_reason},
-                  {"luminance_estimator", report.luminance_estimator},
-                  {"density_limits", {report.density_min, report.density_max}},
-                  {"steps", steps_of(report)},
-                  {"final", final_of(report.final)},
-                  {"energy", energy_values(report.energy)},
-                  {"energy_se", energy_of(report.energy, &core::Estimate::se)},
-                  {"notes", report.notes},
-                  {"timing", timing_of(report)}});
+  Json object{{"format", "evenglow-result/1"},
+              {"version", report.version},
+              {"title", report.title},
+              {"variant", report.variant},
+              {"command", report.command},
+              {"overrides", report.overrides},
+              {"run_file_sha256", report.run_file_sha256},
+              {"seed", report.seed},
+              {"threads", report.threads},
+              {"ranks", report.ranks},
+              {"stop_reason", report.stop_reason},
+              {"luminance_estimator", report.luminance_estimator},
+              {"density_limits", {report.density_min, report.density_max}},
+              {"steps", steps_of(report)},
+              {"final", final_of(report.final)},
+              {"energy", energy_values(report.energy)},
+              {"energy_se", energy_of(report.energy, &core::Estimate::se)},
+              {"notes", report.notes}};
+  add_metrology(report, object);
+  object["timing"] = timing_of(report);
+  return text_of(object);
 }
 
 std::string comparison_json(const Comparison& comparison) {

@@ -33,6 +33,11 @@ std::string density_caption(const Report& report) {
   return "mean " + rounded(summarize(report.density).mean) + ", " + range_text(report.density);
 }
 
+std::string delta_uv_caption(const ColorJudgment& color) {
+  return "from the mean color; RMS " + measured(color.rms_corrected) + " (noise taken off); standard error of a cell " +
+         rounded(summarize(color.delta_se).mean, 2);
+}
+
 std::string titled(const Report& report, const std::string& quantity) {
   std::string title = report.title;
   if (!report.variant.empty()) title += title.empty() ? report.variant : ", " + report.variant;
@@ -132,6 +137,14 @@ void PngWriter::write(const Report& report, const std::filesystem::path& directo
   write_map({titled(report, "Density"), density_caption(report), &report.density, common_scale({&report.density}),
              &ColorMap::density()},
             "density", directory / "density.png");
+  if (report.color) {
+    write_map({titled(report, "\u0394u\u2032v\u2032"),
+               delta_uv_caption(*report.color),
+               &report.color->delta,
+               {0.0, common_scale({&report.color->delta}).high},
+               &ColorMap::luminance()},
+              "\u0394u\u2032v\u2032", directory / "delta_uv.png");
+  }
   write_convergence(report, directory / "convergence.png");
 }
 

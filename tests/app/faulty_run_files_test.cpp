@@ -223,6 +223,21 @@ const FaultyFile kFiles[] = {
     {"microlens_axis", ":4:52: backlight.microstructure.axis_deg: unknown key"},
     {"microlens_fill", ":4:58: backlight.microstructure.fill: must lie in [0.01, 0.785] or be 1 for a round footprint, got 0.9"},
     {"pyramid_form", ":4:56: backlight.microstructure.form: must be one of raised, sunk; got flat"},
+    {"diffuser_abg_width", ":6:46: backlight.films[0].abg_b: must make abg_b^(1/abg_g), the half width in direction cosines, lie in [0.001, 2], got 3.16228e-05"},
+    {"diffuser_abg_without_b", ":6:11: backlight.films[0].abg_b: must be given"},
+    {"diffuser_haze_above_share", ":6:50: backlight.films[0].haze_astm: must be at most 0.3991, what lobes of 1 to 150 degrees can give where the share haze = 0.4 is scattered, got 0.5"},
+    {"diffuser_haze_and_width", ":6:39: backlight.films[0].haze_astm: must be left out where fwhm_deg is given, got both"},
+    {"diffuser_haze_percent", ":6:39: backlight.films[0].haze_astm: must lie in (0, 1), got 85"},
+    {"diffuser_table_gap", ":6:52: backlight.films[0].table: tables/scatter_gap.csv: must be a full grid, got no row for incidence_deg 45, theta_deg 20"},
+    {"diffuser_table_haze", ":6:77: backlight.films[0].haze: unknown key"},
+    {"diffuser_table_missing", ":6:11: backlight.films[0].table: must be given"},
+    {"diffuser_table_negative", ":6:52: backlight.films[0].table: tables/scatter_negative.csv:3:6: btdf: must be a number of at least 0, got '-0.4'"},
+    {"diffuser_table_total", ":6:110: backlight.films[0].reflectance: must be 0 for a table without brdf, got 0.1"},
+    {"sheet_anisotropy", ":6:59: backlight.films[0].anisotropy: must lie in [-0.99, 0.999], got 1"},
+    {"sheet_anisotropy_of_a_clear_one", ":6:37: backlight.films[0].anisotropy: must stand beside scattering_per_mm above 0, got a sheet that is clear"},
+    {"sheet_material_and_index", ":6:35: backlight.films[0].material: must be left out where refractive_index is given, got both"},
+    {"sheet_scattering_negative", ":6:44: backlight.films[0].scattering_per_mm: must lie in [0, 10000], got -5"},
+    {"sheet_too_thick", ":6:44: backlight.films[0].scattering_per_mm: must be at most 500 for this thickness (1000 mean free paths), got 2000"},
     // clang-format on
 };
 

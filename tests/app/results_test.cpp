@@ -15,7 +15,7 @@ using Json = nlohmann::ordered_json;
 
 const std::vector<std::string> kRunFiles = {"result.json", "convergence.csv", "luminance.csv",   "luminance_se.csv",
                                             "density.csv", "angular.csv",     "convergence.png", "luminance.png",
-                                            "density.png", "report.html"};
+                                            "density.png", "report.html",     "hot_spots.csv"};
 
 std::vector<std::string> names_in(const std::filesystem::path& folder) {
   std::vector<std::string> names;
@@ -134,8 +134,39 @@ TEST_F(Results, OfSeveralFilesStandSideBySide) {
 
 TEST_F(Results, HoldTheFormatsAskedFor) {
   run({"simulate", "tiny.yaml", "-o", "out", "--set", "output=[csv]"});
-  EXPECT_THAT(names_in(folder_ / "out"), UnorderedElementsAreArray({"convergence.csv", "luminance.csv",
-                                                                    "luminance_se.csv", "density.csv", "angular.csv"}));
+  EXPECT_THAT(names_in(folder_ / "out"),
+              UnorderedElementsAreArray({"convergence.csv", "luminance.csv", "luminance_se.csv", "density.csv",
+                                         "angular.csv", "hot_spots.csv"}));
+}
+
+const std::vector<std::string> kColorFiles = {"color_u.csv",  "color_u_se.csv",  "color_v.csv", "color_v_se.csv",
+                                              "delta_uv.csv", "delta_uv_se.csv", "delta_uv.png"};
+
+TEST_F(Results, HoldTheColorAskedFor) {
+  run({"design", "tiny.yaml", "-o", "out", "--set", "backlight.sources[0].spectrum={kind: white_led}", "--set",
+       "backlight.receivers=[{kind: color}, {kind: angular, at: center}]", "--set", "design.max_steps=1"});
+  std::vector<std::string> files = kRunFiles;
+  files.insert(files.end(), kColorFiles.begin(), kColorFiles.end());
+  files.push_back("angular_spots.csv");
+  EXPECT_THAT(names_in(folder_ / "out"), UnorderedElementsAreArray(files));
+  const Json result = json_of(folder_ / "out" / "result.json");
+  const Json& color = result.at("color");
+  expect_numbers(
+      color, {"shift_uv", "shift_uv_se", "delta_uv_rms", "delta_uv_rms_corrected", "delta_uv_rms_corrected_se",
+              "delta_uv_max", "delta_uv_max_se", "delta_uv_max_corrected", "delta_uv_max_corrected_se", "dark_cells"});
+  expect_numbers(color.at("mean"), {"x", "x_se", "y", "y_se", "u", "u_se", "v", "v_se", "cct_k", "cct_k_se", "duv"});
+  expect_numbers(color.at("emitted"), {"x", "y", "u", "v", "cct_k", "duv"});
+  EXPECT_EQ(result.at("half_maximum").at("spots").size(), 1u);
+  ASSERT_EQ(result.at("hot_spot").size(), 1u);
+  EXPECT_EQ(result.at("hot_spot")[0].at("edge"), "left");
+  EXPECT_THAT(out_, HasSubstr("color RMS"));
+  EXPECT_THAT(file_text(folder_ / "out" / "report.html"), HasSubstr("<h2>Color</h2>"));
+}
+
+TEST_F(Results, KnowNoColorThatWasNotAskedFor) {
+  run({"simulate", "tiny.yaml", "-o", "out"});
+  EXPECT_FALSE(json_of(folder_ / "out" / "result.json").contains("color"));
+  EXPECT_EQ(file_text(folder_ / "out" / "report.html").find("<h2>Color</h2>"), std::string::npos);
 }
 
 TEST_F(Results, TellWhatTheOptionsChangedAndHowToRepeatThem) {

@@ -78,7 +78,7 @@ std::string small_plate() {
 
 void check(const std::string& backlight, std::uint64_t photons,
            const std::string& receiver = "cells: [8, 8], cone_deg: 30") {
-  constexpr std::size_t kScenes = 10;
+  constexpr std::size_t kScenes = 13;
   const Comparison c = compare(backlight, receiver, {photons, 101, 200, 1}, {photons, 202, 200, 1});
   std::printf("z %.2f, chi2/dof %.3f, relative error of the difference %.4f\n", c.z_mean, c.chi2 / c.cells, c.se_mean);
   EXPECT_LT(std::abs(c.z_mean), z_limit(0.5e-3, kScenes));
@@ -129,6 +129,18 @@ TEST(Estimators, PlateWithDots) {
 }
 TEST(Estimators, NarrowCone) {
   check(stack(kDiffuser + ", " + table_dbef()), 400'000, "cells: [4, 4], cone_deg: 12");
+}
+/// Tilted directions of view; the film is polarized, so that the azimuth counts.
+TEST(Estimators, TiltedCone) {
+  check(stack(kDiffuser), 200'000, "cells: [4, 4], cone_deg: 20, direction_deg: [45, 30]");
+}
+TEST(Estimators, TiltedConeThroughTabulatedDbefAndLpp) {
+  check(stack(kDiffuser + ", " + table_dbef() + ", " + kLpp), 300'000,
+        "cells: [4, 4], cone_deg: 20, direction_deg: [50, 110]");
+}
+TEST(Estimators, TiltedConeUnderSheet) {
+  check(stack(table_dbef() + ", {kind: sheet, gap_mm: 0.5, thickness_mm: 2}"), 300'000,
+        "cells: [4, 4], cone_deg: 20, direction_deg: [60, 250]");
 }
 
 /// With 4608 cells the chi-square per cell is 1 within 0.021 (one sigma), so 0.08 means something: each of the runs has

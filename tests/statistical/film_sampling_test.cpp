@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "tests/support/chi_square.h"
@@ -12,6 +13,8 @@
 #include "tracer/films/ideal_polarizer.h"
 #include "tracer/films/lpp.h"
 #include "tracer/films/mueller_film.h"
+#include "tracer/films/scatter_table.h"
+#include "tracer/films/tabulated_diffuser.h"
 #include "tracer/films/wave_plate.h"
 #include "tracer/films/wire_grid.h"
 
@@ -174,6 +177,22 @@ TEST(FilmSampling, NarrowDiffuser) {
 TEST(FilmSampling, WideDiffuser) {
   check(Diffuser({0.7, 0.25, 0.8, 60.0 * kRad, 0.3}), few_incidences(), 200000);
 }
+TEST(FilmSampling, AbgDiffuser) {
+  check(Diffuser({.transmittance = 0.7, .reflectance = 0.25, .haze = 0.8, .depolarization = 0.3, .abg = {{1e-2, 2.0}}}),
+        few_incidences(), 200000);
+}
+TEST(FilmSampling, TabulatedDiffuser) {
+  std::string text = "incidence_deg,theta_deg,phi_deg,btdf,brdf\n";
+  for (const double sigma : {0, 40, 70}) {
+    for (const double theta : {0, 5, 10, 20, 40, 70}) {
+      for (const double phi : {0, 60, 120, 180}) {
+        const double lobe = std::exp(-theta / 15.0) * (1.0 + 0.3 * (theta / 70.0) * std::cos(phi * kRad));
+        text += fmt::format("{},{},{},{},{}\n", sigma, theta, phi, lobe, 0.3 * lobe * (1.0 + 0.01 * sigma));
+      }
+    }
+  }
+  check(TabulatedDiffuser(parse_scatter_table(text, "t.csv"), std::nullopt, 0.3), few_incidences(), 200000);
+}
 TEST(FilmSampling, LambertianDiffuser) {
   check(Diffuser({0.6, 0.3, 1.0, {}, 1.0}), few_incidences(), 200000);
 }
@@ -205,6 +224,10 @@ TEST(FilmSamplingLong, NarrowDiffuser) {
 }
 TEST(FilmSamplingLong, WideDiffuser) {
   check(Diffuser({0.7, 0.25, 0.8, 60.0 * kRad, 0.3}), all_incidences(), 1000000);
+}
+TEST(FilmSamplingLong, NarrowAbgDiffuser) {
+  check(Diffuser({.transmittance = 0.7, .reflectance = 0.25, .haze = 0.8, .depolarization = 0.3, .abg = {{1e-4, 1.5}}}),
+        all_incidences(), 1000000);
 }
 TEST(FilmSamplingLong, LambertianDiffuser) {
   check(Diffuser({0.6, 0.3, 1.0, {}, 1.0}), all_incidences(), 1000000);

@@ -4,7 +4,6 @@
 
 #include <fmt/format.h>
 
-#include "core/base/units.h"
 #include "tracer/films/dbef.h"
 #include "tracer/films/dbef_data.h"
 #include "tracer/films/dichroic_sheet.h"

@@ -46,7 +46,7 @@ Spectrum read_table(const std::filesystem::path& file) {
                                                     rows.value(i - 1, 0), rows.value(i, 0))});
   }
   std::size_t next = 0;
-  const Spectrum spectrum = sampled([&](double nm) {
+  Spectrum spectrum = sampled([&](double nm) {
     while (next < rows.rows() && rows.value(next, 0) < nm) ++next;
     if (next == rows.rows()) return 0.0;
     if (rows.value(next, 0) == nm) return rows.value(next, 1);

@@ -8,6 +8,7 @@
 #include "tests/support/films.h"
 #include "tests/support/z_test.h"
 #include "tracer/optics/dielectric_face.h"
+#include "tracer/optics/material.h"
 
 namespace evenglow::tracer {
 namespace {
@@ -119,6 +120,69 @@ TEST(FilmSweep, CountsScatteredLight) {
     EXPECT_NEAR(row.transmittance.value + row.reflectance.value + row.absorbed.value, 1.0, 1e-12);
     EXPECT_NEAR(row.transmitted->degree, row.light == SweepLight::natural ? 0.0 : 1.0, 1e-12);
   }
+}
+
+/// A slab that scatters isotropically, without faces: straight light by Beer and Lambert, T of Lambertian light is
+/// known (scattering_sheet_test.cpp); here the bounds of a beam. False alarm 1e-3 over all comparisons.
+TEST(FilmSweep, TracesSheetsThatScatter) {
+  SweepSpec spec;
+  spec.sigmas = {0.0, 1.0};
+  spec.lights = {SweepLight::natural, SweepLight::pass};
+  spec.photons = 20'000;
+  const std::string film =
+      "{kind: sheet, refractive_index: 1.0001, thickness_mm: 0.5, scattering_per_mm: 3, anisotropy: 0.5}";
+  EXPECT_TRUE(needs_photons(film_from(film)));
+  EXPECT_FALSE(needs_photons(film_from("{kind: sheet}")));
+  const auto rows = sweep(film, spec);
+  const double limit = tests::z_limit(1e-3, rows.size());
+  for (const SweepRow& row : rows) {
+    const double straight = std::exp(-1.5 / std::cos(row.sigma));
+    EXPECT_LT(std::abs(tests::z_score(row.specular_transmittance, straight)), limit);
+    EXPECT_EQ(row.absorbed.value, 0.0);
+    EXPECT_GT(row.scattered_transmittance.value, 0.0);
+    EXPECT_GT(row.scattered_reflectance.value, 0.0);
+    ASSERT_TRUE(row.transmitted);
+    EXPECT_NEAR(row.transmitted->degree, row.light == SweepLight::natural ? 0.0 : 1.0, 1e-3);
+  }
+}
+
+TEST(FilmSweep, ScatteringSheetsFollowTheWavelength) {
+  SweepSpec spec;
+  spec.wavelengths = {450, 650};
+  spec.photons = 1'000;
+  const auto rows = sweep("{kind: sheet, material: polycarbonate, scattering_per_mm: 0.001}", spec);
+  for (const SweepRow& row : rows) {
+    const double n = material("polycarbonate", row.wavelength).refractive_index;
+    const double R = incoherent_sheet(1.0, n, 0.0, 0.1).reflection(0, 0);
+    EXPECT_LT(std::abs(tests::z_score(row.reflectance, R)), 4.0);
+  }
+  // And a clear one exactly.
+  const auto clear = sweep("{kind: sheet, material: polycarbonate, absorption_per_m: 0}", spec);
+  EXPECT_GT(clear[0].reflectance.value, clear[1].reflectance.value + 1e-3);
+}
+
+/// Haze of films where it is known; false alarm 1e-3 over all comparisons.
+TEST(FilmSweep, Haze) {
+  SweepSpec spec;
+  spec.sigmas = {0.0, 0.5};
+  spec.photons = 20'000;
+  const double inside = std::pow(std::sin(2.5 * kRad), 2);
+  const double limit = tests::z_limit(1e-3, 4);
+  for (const auto& [film, expected] :
+       {std::pair<std::string, double>{"{kind: diffuser, haze_astm: 0.3}", 0.3},
+        {"{kind: diffuser, haze: 0.6, haze_astm: 0.3, transmittance: 0.5}", 0.3},
+        {"{kind: diffuser, lobe: lambertian}", 1.0 - inside},
+        {"{kind: diffuser, lobe: lambertian, haze: 0.7, transmittance: 0.4}", 0.7 * (1.0 - inside)}}) {
+    const auto rows = sweep(film, spec);
+    ASSERT_TRUE(rows[0].haze) << film;
+    const double z = (rows[0].haze->value - expected) /
+                     std::sqrt(expected * (1.0 - expected) / (rows[0].transmittance.value * 20'000));
+    EXPECT_LT(std::abs(z), limit) << film << ": " << rows[0].haze->value;
+    EXPECT_FALSE(rows[1].haze);
+  }
+  EXPECT_EQ(sweep("{kind: lpp}", spec)[0].haze->value, 0.0);
+  EXPECT_EQ(sweep("{kind: sheet}", spec)[0].haze->value, 0.0);
+  EXPECT_FALSE(sweep("{kind: diffuser, transmittance: 0, reflectance: 1}", spec)[0].haze);
 }
 
 TEST(FilmSweep, DependsOnTheSeedAndNotOnThreads) {
