@@ -64,17 +64,32 @@ std::string haze_text(const std::vector<SweepRow>& rows) {
   return text;
 }
 
+/// The range over all rows of the facets that a photon meets in a prism film; empty for other films.
+std::string facets_text(const std::vector<SweepRow>& rows) {
+  const core::Estimate* fewest = nullptr;
+  const core::Estimate* most = nullptr;
+  for (const SweepRow& row : rows) {
+    if (!row.facets) continue;
+    if (fewest == nullptr || row.facets->value < fewest->value) fewest = &*row.facets;
+    if (most == nullptr || row.facets->value > most->value) most = &*row.facets;
+  }
+  if (fewest == nullptr) return "";
+  return fmt::format("facets of the prisms that a photon meets, on average: {:.3f} ±{:.3f} to {:.3f} ±{:.3f}\n",
+                     fewest->value, fewest->se, most->value, most->se);
+}
+
 }  // namespace
 
 std::string sweep_csv(const std::vector<SweepRow>& rows, const std::string& what, bool from_above) {
   std::string text = fmt::format(
       "# {}, lit from {}: angles in degrees, wavelength in nm, shares of the incident power (1) with standard errors "
       "(se; 0: exact); dop, q, u, v: of the straight light, per its power, e1 in the plane of incidence; "
-      "haze: at sigma 0, share of the transmitted light that deviates by more than 2.5 degrees\n"
+      "haze: at sigma 0, share of the transmitted light that deviates by more than 2.5 degrees; "
+      "facets: of a prism film, met by a photon\n"
       "wavelength_nm,azimuth_deg,polarization,sigma_deg,reflectance,reflectance_se,transmittance,transmittance_se,"
       "absorbed,absorbed_se,reflectance_specular,reflectance_specular_se,transmittance_specular,"
       "transmittance_specular_se,reflectance_scattered,reflectance_scattered_se,transmittance_scattered,"
-      "transmittance_scattered_se,dop,q,u,v,haze,haze_se\n",
+      "transmittance_scattered_se,dop,q,u,v,haze,haze_se,facets,facets_se\n",
       core::one_line(what), from_above ? "above" : "below");
   for (const SweepRow& row : rows) {
     text +=
@@ -86,7 +101,10 @@ std::string sweep_csv(const std::vector<SweepRow>& rows, const std::string& what
     } else {
       text += ",,,,";
     }
-    text += row.haze ? fmt::format(",{:.8g},{:.4g}\n", row.haze->value, row.haze->se) : std::string(",,\n");
+    for (const auto& extra : {row.haze, row.facets}) {
+      text += extra ? fmt::format(",{:.8g},{:.4g}", extra->value, extra->se) : std::string(",,");
+    }
+    text += '\n';
   }
   return text;
 }
@@ -115,7 +133,7 @@ std::string sweep_table(const std::vector<SweepRow>& rows) {
       "polarization and Stokes "
       "vector per power (e1 in the plane of incidence); ";
   text += counted ? "± 1 standard error\n" : "exact\n";
-  return text + haze_text(rows);
+  return text + haze_text(rows) + facets_text(rows);
 }
 
 }  // namespace evenglow::app

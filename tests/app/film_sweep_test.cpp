@@ -44,7 +44,7 @@ TEST_F(FilmSweepCommand, WritesATableAndAPicture) {
   EXPECT_THAT(result.out, HasSubstr("60 rows more"));
   const auto rows = table("out.csv");
   ASSERT_THAT(rows, SizeIs(1 + 5 * 2 * 2 * 6));
-  for (const auto& row : rows) ASSERT_THAT(row, SizeIs(24));
+  for (const auto& row : rows) ASSERT_THAT(row, SizeIs(26));
   EXPECT_EQ(rows[0][6], "transmittance");
   for (std::size_t i = 1; i < rows.size(); ++i) {
     const double expected = rows[i][2] == "pass" ? 0.8 : rows[i][2] == "block" ? 0.2 : 0.5;

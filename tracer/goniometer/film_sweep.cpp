@@ -7,6 +7,7 @@
 #include "core/base/units.h"
 #include "core/montecarlo/batches.h"
 #include "core/montecarlo/photon_rng.h"
+#include "tracer/films/bef.h"
 #include "tracer/films/haze.h"
 #include "tracer/films/scattering_sheet.h"
 #include "tracer/optics/dielectric_face.h"
@@ -94,7 +95,19 @@ struct Counts {
   double through[2] = {0, 0};  ///< specular, elsewhere
   double back[2] = {0, 0};
   double deviated = 0;  ///< of `through`: by more than the angle of haze
+  double facets = 0, squared_facets = 0;
 };
+
+/// What becomes of a photon; a prism film also tells the facets that it met.
+std::optional<BsdfSample> outcome(const Bsdf& surface, const PrismFilm* prisms, const core::StokesVector& light,
+                                  core::PhotonRng& rng, Counts& counts) {
+  if (prisms == nullptr) return surface.sample(light, rng);
+  const PrismPass pass = prisms->trace(light, rng);
+  counts.facets += pass.facets;
+  counts.squared_facets += static_cast<double>(pass.facets) * pass.facets;
+  if (!pass.light) return std::nullopt;
+  return BsdfSample{*pass.light, true};
+}
 
 /// False if it was stopped.
 bool count(const Bsdf& surface, const core::StokesVector& light, const core::RandomKey& key, const SweepSpec& spec,
@@ -102,10 +115,11 @@ bool count(const Bsdf& surface, const core::StokesVector& light, const core::Ran
   const core::Vec3& k = light.frame.k;
   const core::Vec3 mirrored(k.x(), k.y(), -k.z());
   const double least_cosine = std::cos(kHazeAngle);
+  const auto* const prisms = dynamic_cast<const PrismFilm*>(&surface);
   for (std::uint64_t i = 0; i < spec.photons; ++i) {
     if (i % kPhotonsPerLook == 0 && spec.stop.stop_requested()) return false;
     core::PhotonRng rng(key, i);
-    const auto out = surface.sample(light, rng);
+    const auto out = outcome(surface, prisms, light, rng, counts);
     if (!out) continue;
     const bool through = out->light.frame.k.z() * k.z() > 0.0;
     const bool straight = out->specular && (out->light.frame.k - (through ? k : mirrored)).norm() < kSameDirection;
@@ -123,6 +137,10 @@ void set_counted(const Counts& c, double n, SweepRow& row) {
   row.transmittance = binomial(c.through[0] + c.through[1], n);
   row.reflectance = binomial(c.back[0] + c.back[1], n);
   row.absorbed = binomial(n - c.through[0] - c.through[1] - c.back[0] - c.back[1], n);
+  if (c.facets > 0.0) {
+    const double mean = c.facets / n;
+    row.facets = core::Estimate{mean, std::sqrt(std::max(0.0, c.squared_facets / n - mean * mean) / n)};
+  }
   const double passed = c.through[0] + c.through[1];
   if (row.sigma == 0.0 && passed > 0.0) row.haze = binomial(c.deviated, passed);
 }

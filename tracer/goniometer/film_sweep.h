@@ -49,6 +49,8 @@ struct SweepRow {
   std::optional<State> transmitted;
   /// At normal incidence, if anything passes: haze as of ASTM D1003 (haze.h), a share of the transmitted light.
   std::optional<core::Estimate> haze;
+  /// Of a prism film: facets of the structured face that a photon meets, from inside and outside, on average.
+  std::optional<core::Estimate> facets;
 };
 
 /// Rows of the spec: wavelength, azimuth, light, sigma; the last fastest. Empty if it was stopped. The numbers depend
