@@ -78,7 +78,7 @@ PhotonHistory::Walk PhotonHistory::emit(core::PhotonRng& rng) const {
   walk.photon = sources[chosen]->emit(rng);
   const SourcePlacement& place = scene_.source_placements[chosen];
   walk.photon.quad = place.quad_per_window ? place.first_quad + walk.photon.quad : place.first_quad;
-  if (scene_.bands.size() > 1) {
+  if (scene_.bands.size() > 1 || scene_.spec.color) {
     const SpectralBands::Choice choice = scene_.bands.choose(chosen, rng.uniform());
     walk.band = choice.band;
     walk.weight = choice.weight;
