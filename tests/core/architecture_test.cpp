@@ -55,8 +55,8 @@ const HouseRules& house() {
                 "core/montecarlo"}},
 
               {"design/problem",
-               {"core/config", "core/math", "core/montecarlo/estimate.h", "core/montecarlo/tally.h",
-                "tracer/scene/density_field.h", "tracer/receivers/luminance_receiver.h"}},
+               {"core/config", "core/light/color.h", "core/math", "core/montecarlo/estimate.h",
+                "core/montecarlo/tally.h", "tracer/scene/density_field.h", "tracer/receivers/luminance_receiver.h"}},
               {"design/updaters", {"design/problem", "core/config", "core/math", "core/montecarlo/estimate.h"}},
               {"design/report", {"design/problem", "core/config", "core/math", "core/montecarlo/estimate.h"}},
               {"design/dots", {"design/problem", "core/config", "core/math"}},
