@@ -17,6 +17,20 @@ void require_free(const std::vector<std::filesystem::path>& paths) {
   if (!faults.empty()) throw core::ConfigError(std::move(faults));
 }
 
+void require_other_than_inputs(const std::vector<std::filesystem::path>& outputs,
+                               const std::vector<std::filesystem::path>& inputs) {
+  std::vector<core::Fault> faults;
+  for (const auto& output : outputs) {
+    for (const auto& input : inputs) {
+      std::error_code error;
+      if (!std::filesystem::equivalent(output, input, error)) continue;
+      faults.push_back({output.string(), 0, 0, {}, "must be another file than the input"});
+      break;
+    }
+  }
+  if (!faults.empty()) throw core::ConfigError(std::move(faults));
+}
+
 void write_whole(const std::filesystem::path& path, const std::string& text) {
   std::error_code error;
   if (path.has_parent_path()) std::filesystem::create_directories(path.parent_path(), error);

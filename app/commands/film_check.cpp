@@ -69,7 +69,7 @@ class FilmCheck final : public FilmCommand {
     }
     std::fflush(stdout);
     for (const core::Fault& fault : check.faults) fmt::print(stderr, "{}\n", fault.to_string());
-    return kFailed;
+    return check.readable ? kFailed : kWrongInput;
   }
 
  private:

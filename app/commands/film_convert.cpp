@@ -6,7 +6,6 @@
 #include "app/commands/commands.h"
 #include "app/commands/film.h"
 #include "app/text_output.h"
-#include "core/base/error.h"
 #include "tracer/polarized_bsdf/stored_table.h"
 
 namespace evenglow::app {
@@ -24,10 +23,7 @@ class FilmConvert final : public FilmCommand {
 
   int run(const Session&) override {
     const tracer::StoredTable table = tracer::parse_stored_table(tracer::read_table_bytes(in_), in_.string());
-    std::error_code error;
-    if (std::filesystem::equivalent(in_, out_, error)) {
-      throw core::ConfigError(core::Fault{out_.string(), 0, 0, {}, "must be another file than the input"});
-    }
+    require_other_than_inputs({out_}, {in_});
     if (!overwrite_) require_free({out_});
     write_whole(out_, tracer::stored_bytes(table, tracer::names_hdf5(out_)));
     fmt::print("wrote {}: {} nodes of {}\n", out_.string(), table.nodes(),

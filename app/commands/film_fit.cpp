@@ -44,6 +44,7 @@ class FilmFit final : public FilmCommand {
     if (fit_.relative_error + fit_.absolute_error <= 0.0)
       refuse("--relative-error", "must not both be 0 with --absolute-error");
     if (!std::isnan(throughput_)) fit_.throughput = throughput_;
+    require_other_than_inputs({out_}, {reflection_, transmission_});
     if (!out_.empty() && !overwrite_) require_free({out_});
     const auto reflection = tracer::LuminanceTable::read(reflection_, tracer::ScatterKind::reflection);
     const auto transmission = tracer::LuminanceTable::read(transmission_, tracer::ScatterKind::transmission);

@@ -120,8 +120,10 @@ class FilmReconstruct final : public FilmCommand {
         ->type_name("KIND")
         ->transform(CLI::IsMember(std::vector<std::string>{"none", "square", "amplitude"}));
     add_transmittances(command, "--k", options_.polarizer, "polarizer of the illumination");
-    add_transmittances(command, "--analyzer-k", options_.analyzer, "analyzer of the observation (general readings)");
-    command.add_flag("--covariance", covariance_, "of general readings also write TABLE.covariance.csv (136 columns)");
+    general_options_ = add_transmittances(command, "--analyzer-k", options_.analyzer,
+                                          "analyzer of the observation (general readings)");
+    general_options_.push_back(command.add_flag("--covariance", covariance_,
+                                                "of general readings also write TABLE.covariance.csv (136 columns)"));
     command.add_option("--threads", threads_, "threads (default 0: all; the result does not depend on it)")
         ->check(CLI::Range(0, 4096))
         ->type_name("N");
@@ -134,9 +136,11 @@ class FilmReconstruct final : public FilmCommand {
     options_.angles = kOrigins.at(angles_);
     options_.bias = kBiases.at(bias_);
     const auto readings = tracer::FilmReadings::read(readings_);
+    if (!readings.general()) refuse_general_options();
     std::vector<std::filesystem::path> paths{table_};
     if (readings.general()) paths.push_back(beside(table_, "mueller"));
     if (readings.general() && covariance_) paths.push_back(beside(table_, "covariance").replace_extension(".csv"));
+    require_other_than_inputs(paths, {readings_});
     if (!overwrite_) require_free(paths);
     bool whole = true;
     const Reconstruction result =
@@ -154,13 +158,24 @@ class FilmReconstruct final : public FilmCommand {
   }
 
  private:
-  static void add_transmittances(CLI::App& command, const std::string& name, tracer::PrincipalTransmittances& k,
-                                 const std::string& what) {
-    command
-        .add_option(name + "1", k.k1, "greatest transmittance of the " + what + " for linear light, 0 to 1 (default 1)")
-        ->type_name("T");
-    command.add_option(name + "2", k.k2, "its least transmittance, below the greatest (default 0: ideal)")
-        ->type_name("T");
+  static std::vector<CLI::Option*> add_transmittances(CLI::App& command, const std::string& name,
+                                                      tracer::PrincipalTransmittances& k, const std::string& what) {
+    return {command
+                .add_option(name + "1", k.k1,
+                            "greatest transmittance of the " + what + " for linear light, 0 to 1 (default 1)")
+                ->type_name("T"),
+            command.add_option(name + "2", k.k2, "its least transmittance, below the greatest (default 0: ideal)")
+                ->type_name("T")};
+  }
+
+  /// They would change nothing in a table of four-angle readings.
+  void refuse_general_options() const {
+    for (const CLI::Option* option : general_options_) {
+      if (option->count() == 0) continue;
+      throw core::ConfigError(core::Fault{readings_.string(), 0, 0, option->get_name(),
+                                          "needs general readings (columns in_kind ... value, se), got readings at "
+                                          "four angles"});
+    }
   }
 
   static void check_transmittances(const std::string& name, const tracer::PrincipalTransmittances& k) {
@@ -179,6 +194,7 @@ class FilmReconstruct final : public FilmCommand {
   std::filesystem::path readings_, table_;
   std::string angles_ = "film", bias_ = "none";
   tracer::ReconstructionOptions options_;
+  std::vector<CLI::Option*> general_options_;  ///< for readings with an analyzer alone; owned by the command
   int threads_ = 0;
   bool covariance_ = false, overwrite_ = false;
 };

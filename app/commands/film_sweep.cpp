@@ -65,6 +65,7 @@ class FilmSweep final : public FilmCommand {
     tracer::SweepSpec spec = read_spec();
     spec.stop = session.stop;
     const std::filesystem::path picture = picture_path();
+    require_other_than_inputs({out_, picture}, {file_});
     if (!out_.empty() && !overwrite_) require_free({out_, picture});
     Options options;
     options.set = set_;

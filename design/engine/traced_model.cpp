@@ -10,26 +10,34 @@
 namespace evenglow::design {
 namespace {
 
-core::Estimate share(const tracer::TraceResult& result, std::size_t bin) {
+/// All that the account holds: the photons, or, where they carry different luminous flux, what they carried in fact.
+double accounted(const tracer::TraceResult& result) {
+  double sum = 0.0;
+  for (const core::Estimate& bin : result.energy.totals()) sum += bin.value;
+  return sum;
+}
+
+core::Estimate share(const tracer::TraceResult& result, std::size_t bin, double whole) {
   const core::Estimate count = result.energy.total(bin);
-  const double photons = static_cast<double>(result.photons);
-  return {count.value / photons, count.se / photons};
+  return {count.value / whole, count.se / whole};
 }
 
 EnergyAccount energy_account(const tracer::Scene& scene, const tracer::TraceResult& result) {
   EnergyAccount account;
+  const double whole = accounted(result);
   account.emitted_lm = result.flux;
   for (int i = 0; i < tracer::kSides; ++i) {
-    account.escaped.push_back({side_name(static_cast<tracer::Side>(i)), share(result, static_cast<std::size_t>(i))});
+    account.escaped.push_back(
+        {side_name(static_cast<tracer::Side>(i)), share(result, static_cast<std::size_t>(i), whole)});
   }
   const auto& parts = scene.energy.parts();
   for (std::size_t i = 0; i < parts.size(); ++i) {
-    account.absorbed.push_back({parts[i], share(result, scene.energy.absorbed_bin(static_cast<int>(i)))});
+    account.absorbed.push_back({parts[i], share(result, scene.energy.absorbed_bin(static_cast<int>(i)), whole)});
   }
   std::vector<double> lost(result.energy.bins(), 0.0);
   for (int i = 0; i < tracer::kLossReasons; ++i) lost[scene.energy.lost_bin(static_cast<tracer::LossReason>(i))] = 1.0;
   const core::Estimate total = result.energy.weighted_total(lost);
-  account.lost = {total.value / static_cast<double>(result.photons), total.se / static_cast<double>(result.photons)};
+  account.lost = {total.value / whole, total.se / whole};
   return account;
 }
 

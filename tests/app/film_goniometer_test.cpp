@@ -87,5 +87,26 @@ TEST_F(FilmGoniometer, FitRefusesWhatItCannotUse) {
   EXPECT_THAT(folds.err, HasSubstr("--folds"));
 }
 
+TEST_F(FilmGoniometer, FitNeverReplacesItsMeasurements) {
+  const std::string data = file_text(kConfigs + "/data/dbef_reflection_luminance.csv");
+  write_text(folder_ / "r.csv", data);
+  const auto result = run({"film", "fit", "--reflection", "r.csv", "--transmission",
+                           kConfigs + "/data/dbef_transmission_luminance.csv", "-o", "./r.csv", "--overwrite"});
+  EXPECT_EQ(result.code, 2);
+  EXPECT_THAT(result.err, HasSubstr("r.csv: must be another file than the input"));
+  EXPECT_EQ(file_text(folder_ / "r.csv"), data);
+}
+
+TEST_F(FilmGoniometer, SaysWhyItSeesNothingOfAFilm) {
+  const auto refusal = [&](const std::string& film) {
+    write_text(folder_ / "run.yaml", "evenglow: 1\ngoniometer: {film: " + film + "}\n");
+    const auto result = run({"film", "goniometer", "run.yaml", "-o", "out"});
+    EXPECT_EQ(result.code, 2);
+    return result.err;
+  };
+  EXPECT_THAT(refusal("{kind: lpp}"), HasSubstr("mueller_table, or diffuser), got a specular film"));
+  EXPECT_THAT(refusal("{kind: bef}"), HasSubstr("mueller_table, or diffuser), got a film that only redirects"));
+}
+
 }  // namespace
 }  // namespace evenglow::tests

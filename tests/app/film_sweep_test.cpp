@@ -103,5 +103,16 @@ TEST_F(FilmSweepCommand, HelpTellsUnitsAndAnExample) {
   for (const char* word : {"degrees", "nm", "Example: evenglow film sweep"}) EXPECT_THAT(result.out, HasSubstr(word));
 }
 
+TEST_F(FilmSweepCommand, NeverReplacesItsFile) {
+  const std::string film = "film: {kind: lpp}\n";
+  for (const auto& [in, out] : {std::pair{"film.yaml", "./film.yaml"}, std::pair{"film.png", "film.csv"}}) {
+    write_text(folder_ / in, film);
+    const auto result = run({in, "-o", out, "--overwrite"});
+    EXPECT_EQ(result.code, 2);
+    EXPECT_THAT(result.err, HasSubstr(std::string(in) + ": must be another file than the input"));
+    EXPECT_EQ(file_text(folder_ / in), film);
+  }
+}
+
 }  // namespace
 }  // namespace evenglow::tests

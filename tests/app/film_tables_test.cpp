@@ -59,6 +59,11 @@ TEST(FilmCheckCommand, ExitCodesTellFaultsFromUsage) {
   EXPECT_EQ(text.code, 1);
   EXPECT_THAT(text.err, StartsWith("text.csv:1:1: "));
   EXPECT_EQ(evenglow({"film", "check", "none.csv"}, folder.path()).code, 2);
+  write_text(folder / "empty.csv", "");
+  write_text(folder / "bad.h5", "no HDF5\n");
+  for (const char* file : {"empty.csv", "bad.h5", "."}) {
+    EXPECT_EQ(evenglow({"film", "check", file}, folder.path()).code, 2) << file;
+  }
   EXPECT_EQ(evenglow({"film", "check"}).code, 2);
   EXPECT_EQ(evenglow({"film"}).code, 2);
 }
@@ -106,6 +111,58 @@ TEST(FilmReconstructCommand, RefusesInOneLineAndWritesNothing) {
   const std::string general = general_readings();
   EXPECT_THAT(refused(general.substr(0, general.rfind("BTDF")), {}),
               HasSubstr("r.csv:3:1: must have readings that determine all 16 entries"));
+}
+
+TEST(FilmReconstructCommand, NeverReplacesItsReadings) {
+  const TempFolder folder;
+  const auto refused = [&](const std::string& in, const std::string& readings, const std::string& out) {
+    write_text(folder / in, readings);
+    const ProgramResult result =
+        evenglow({"film", "reconstruct", in, "-o", out, "--overwrite", "--threads", "1"}, folder.path());
+    EXPECT_EQ(result.code, 2);
+    EXPECT_EQ(result.err_lines().size(), 1u) << result.err;
+    EXPECT_THAT(result.err, HasSubstr(in + ": must be another file than the input"));
+    EXPECT_EQ(file_text(folder / in), readings);
+  };
+  refused("r.csv", four_angle_readings(), "r.csv");
+  refused("r.csv", general_readings(), "./r.csv");
+  refused("film.mueller.csv", general_readings(), "film.csv");
+  EXPECT_FALSE(std::filesystem::exists(folder / "film.csv"));
+  write_text(folder / "film.covariance.csv", general_readings());
+  const ProgramResult covariance = evenglow(
+      {"film", "reconstruct", "film.covariance.csv", "-o", "film.csv", "--covariance", "--overwrite"}, folder.path());
+  EXPECT_EQ(covariance.code, 2);
+  EXPECT_EQ(file_text(folder / "film.covariance.csv"), general_readings());
+}
+
+TEST(FilmReconstructCommand, OptionsOfTheAnalyzerNeedGeneralReadings) {
+  const TempFolder folder;
+  write_text(folder / "r.csv", four_angle_readings());
+  write_text(folder / "g.csv", general_readings());
+  for (const std::vector<std::string>& option :
+       {std::vector<std::string>{"--covariance"}, {"--analyzer-k1", "0.9"}, {"--analyzer-k2", "0.1"}}) {
+    std::vector<std::string> words{"film", "reconstruct", "r.csv", "-o", "film.csv"};
+    words.insert(words.end(), option.begin(), option.end());
+    const ProgramResult result = evenglow(words, folder.path());
+    EXPECT_EQ(result.code, 2);
+    EXPECT_EQ(result.err_lines().size(), 1u);
+    EXPECT_THAT(result.err, StartsWith("r.csv: " + option[0] + ": needs general readings"));
+    EXPECT_FALSE(std::filesystem::exists(folder / "film.csv"));
+    words[2] = "g.csv";
+    words.push_back("--overwrite");
+    EXPECT_EQ(evenglow(words, folder.path()).code, 0);
+    std::filesystem::remove(folder / "film.csv");
+  }
+}
+
+TEST(FilmReconstructCommand, ReadingsMustNameTheirUnits) {
+  const TempFolder folder;
+  const std::string readings = four_angle_readings();
+  write_text(folder / "r.csv", readings.substr(readings.find('\n') + 1));
+  const ProgramResult result = evenglow({"film", "reconstruct", "r.csv", "-o", "film.csv"}, folder.path());
+  EXPECT_EQ(result.code, 2);
+  EXPECT_THAT(result.err, StartsWith("r.csv:1:1: the comment must name the units degrees, nm and 1/sr"));
+  EXPECT_FALSE(std::filesystem::exists(folder / "film.csv"));
 }
 
 TEST(FilmReconstructCommand, HelpTellsUnitsDefaultsAndAnExample) {

@@ -3,6 +3,8 @@
 #include <utility>
 
 #include "tracer/polarized_bsdf/lobe_table.h"
+#include "tracer/polarized_bsdf/table_energy.h"
+#include "tracer/polarized_bsdf/table_limits.h"
 
 namespace evenglow::tracer {
 namespace {
@@ -12,7 +14,12 @@ std::optional<DbefData> read_table(const core::ConfigNode& film) {
       {"table", "polarized BSDF table (CSV or HDF5); without it or a model the film is specular", std::string()});
   auto keys = read_table_keys(film);
   if (!keys) return std::nullopt;
-  auto table = film.guarded("table", [&] { return BsdfTable::read(path); });
+  auto table = film.guarded("table", [&] {
+    BsdfTable read = BsdfTable::read(path);
+    require_light(read);
+    if (!keys->totals) require_energy(read, incidence_energies(read, kDbefIndex));
+    return read;
+  });
   if (!table) return std::nullopt;
   const std::vector<double>& wavelengths = table->axes().lambda_nm;
   const bool follows = follows_wavelength(wavelengths, *keys);

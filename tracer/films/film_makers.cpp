@@ -90,8 +90,10 @@ Film make_dbef(const core::ConfigNode& node) {
   } else {
     if (node.has("hemispherical")) {
       node.fault_at("hemispherical", "must stand beside the table that it normalizes, got no table");
-      node.file({"hemispherical", "hemispherical totals that the table is normalized to (CSV)"});
     }
+    // Absent, but to be named where a key is unknown.
+    for (const char* key : {"table", "hemispherical"}) node.file({key, "CSV or HDF5 file", std::string()});
+    node.map("model", "semi-empirical BSDF");
     read_ideal_dbef(node, film);
   }
   return film;

@@ -8,8 +8,9 @@ std::optional<TableKeys> read_table_keys(const core::ConfigNode& film) {
   TableKeys keys;
   keys.wavelength_nm = film.optional_number(
       {"wavelength_nm", "every light sees the table at this wavelength", {100, 10000, false, false}});
+  const auto path =
+      film.file({"hemispherical", "hemispherical totals that the table is normalized to (CSV)", std::string()});
   if (!film.has("hemispherical")) return keys;
-  const auto path = film.file({"hemispherical", "hemispherical totals that the table is normalized to (CSV)"});
   keys.totals = film.guarded("hemispherical", [&] { return HemisphericalTable::read(path); });
   if (!keys.totals) return std::nullopt;
   return keys;

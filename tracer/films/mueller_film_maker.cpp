@@ -7,6 +7,8 @@
 #include "tracer/films/film_keys.h"
 #include "tracer/films/film_wavelengths.h"
 #include "tracer/films/mueller_film.h"
+#include "tracer/polarized_bsdf/mueller_energy.h"
+#include "tracer/polarized_bsdf/table_limits.h"
 
 namespace evenglow::tracer {
 namespace {
@@ -43,7 +45,12 @@ Film make_mueller_table(const core::ConfigNode& node) {
   const auto frames = frames_of(node);
   auto keys = read_table_keys(node);
   if (path.empty() || !keys) return film;
-  auto table = node.guarded("table", [&] { return MuellerTable::read(path, frames); });
+  auto table = node.guarded("table", [&] {
+    MuellerTable read = MuellerTable::read(path, frames);
+    require_light(read.intensities());
+    if (!keys->totals) require_energy(read.intensities(), mueller_energies(read, kDbefIndex));
+    return read;
+  });
   if (!table) return film;
   MuellerData data{std::move(*table), std::move(*keys), film.axis};
   const std::vector<double> wavelengths = data.table.axes().lambda_nm;

@@ -33,8 +33,11 @@ void read_film(const core::ConfigNode& node, GoniometerSpec& spec) {
   auto film = film_registry().make(node);
   if (!film) return;
   if (film->surface && !film->surface->scatters()) {
-    node.fault(
-        "must scatter (kind dbef with table or model, or diffuser), got a specular film, which no detector sees");
+    constexpr const char* kAllowed = "must scatter (kind dbef with table or model, mueller_table, or diffuser)";
+    node.fault(fmt::format("{}, got {}", kAllowed,
+                           film->surface->redirects()
+                               ? "a film that only redirects, into single directions that the detector misses"
+                               : "a specular film, which no detector sees"));
   } else if (film->sheet) {
     node.fault("must be a film, got a sheet with a body");
   }

@@ -7,6 +7,7 @@
 #include "core/config/csv_numbers.h"
 #include "tracer/polarized_bsdf/bracket.h"
 #include "tracer/polarized_bsdf/bsdf_grid.h"
+#include "tracer/polarized_bsdf/csv_units.h"
 #include "tracer/polarized_bsdf/stored_table.h"
 
 namespace evenglow::tracer {
@@ -24,11 +25,13 @@ std::vector<double> radians(std::vector<double> degrees) {
 }  // namespace
 
 BsdfTable BsdfTable::read(const std::filesystem::path& file) {
-  if (names_hdf5(file)) return from_stored(parse_stored_table(read_table_bytes(file), file.string()));
-  return BsdfTable(core::CsvNumbers::read(file, bsdf_columns(), bsdf_row_fault));
+  const std::string bytes = read_table_bytes(file);
+  if (names_hdf5(file)) return from_stored(parse_stored_table(bytes, file.string()));
+  return parse(bytes, file.string());
 }
 
 BsdfTable BsdfTable::parse(std::string_view text, std::string name) {
+  if (const auto fault = unit_fault(text, name, false)) throw core::ConfigError(*fault);
   return BsdfTable(core::CsvNumbers::parse(text, std::move(name), bsdf_columns(), bsdf_row_fault));
 }
 
@@ -87,11 +90,7 @@ BsdfTable::BsdfTable(std::string name, Axes axes, std::array<std::vector<Node>, 
 }
 
 void BsdfTable::prepare_logs() {
-  double largest = 0.0;
-  for (const auto& nodes : nodes_) {
-    for (const Node& node : nodes) largest = std::max(largest, node.tau_min + node.tau_max);
-  }
-  const double smallest = std::max(largest * kSmallestShare, 1e-30);
+  const double smallest = std::max(largest() * kSmallestShare, 1e-30);
   for (std::size_t kind = 0; kind < 2; ++kind) {
     for (const Node& node : nodes_[kind]) {
       const double S = node.tau_min + node.tau_max;
@@ -100,6 +99,14 @@ void BsdfTable::prepare_logs() {
           {std::log(std::max(S, smallest)), share * std::cos(2.0 * node.delta), share * std::sin(2.0 * node.delta)});
     }
   }
+}
+
+double BsdfTable::largest() const {
+  double largest = 0.0;
+  for (const auto& nodes : nodes_) {
+    for (const Node& node : nodes) largest = std::max(largest, node.tau_min + node.tau_max);
+  }
+  return largest;
 }
 
 double BsdfTable::least_kappa() const {

@@ -65,7 +65,8 @@ class BsdfTable {
   };
 
   /// Throw `core::ConfigError`: everything `core::CsvNumbers` (of a name that ends in .h5 or .hdf5: `parse_hdf5_table`)
-  /// refuses, tau_min > tau_max, a repeated row, a missing node, Mueller matrices.
+  /// refuses, tau_min > tau_max, a repeated row, a missing node, Mueller matrices, a comment that names other units
+  /// than degrees, nm and 1/sr (none at all is accepted).
   static BsdfTable read(const std::filesystem::path& file);
   static BsdfTable parse(std::string_view text, std::string name);
   static BsdfTable from_stored(const StoredTable& table);
@@ -76,6 +77,7 @@ class BsdfTable {
   const std::string& name() const { return name_; }
   const Axes& axes() const { return axes_; }
   double least_kappa() const;  ///< over all nodes
+  double largest() const;      ///< S over all nodes, 1/sr
   bool has(ScatterKind kind) const { return !logs_[static_cast<std::size_t>(kind)].empty(); }
   /// The row at these indices into the axes. `kind` must be there.
   const Node& node(ScatterKind kind, std::size_t psi, std::size_t sigma, std::size_t phi, std::size_t theta,

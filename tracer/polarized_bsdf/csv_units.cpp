@@ -75,6 +75,12 @@ std::optional<core::Fault> unit_fault(std::string_view text, const std::string& 
     const int line = found.lines[static_cast<std::size_t>(other - found.words.begin())];
     return core::Fault{name, line, 1, {}, fmt::format("{}, got '{}'", kAllowed, *other)};
   }
+  // Beside another unit `mm` is that of the wavelength; elsewhere it may be the film's thickness.
+  const auto mm = std::ranges::find(found.words, "mm");
+  if (mm != found.words.end() && !any_of(found, kNanometers) && (steradian || any_of(found, kDegrees))) {
+    const int line = found.lines[static_cast<std::size_t>(mm - found.words.begin())];
+    return core::Fault{name, line, 1, {}, fmt::format("{}, got '{}'", kAllowed, *mm)};
+  }
   if (!required) return std::nullopt;
   if (!steradian) return missing("1/sr");
   if (!any_of(found, kDegrees)) return missing("degrees");

@@ -192,7 +192,7 @@ FilmReadings FilmReadings::read(const std::filesystem::path& file) {
 }
 
 FilmReadings FilmReadings::parse(std::string_view text, std::string name) {
-  if (const auto fault = unit_fault(text, name, false)) throw core::ConfigError(*fault);
+  if (const auto fault = unit_fault(text, name, true)) throw core::ConfigError(*fault);
   if (is_general(text)) {
     return ReadingsBuilder(core::CsvNumbers::parse(text, std::move(name), general_columns(), general_row_fault))
         .general();

@@ -45,8 +45,9 @@ struct ReadingGroup {
 /// A node may be met any number of times, in any order; its readings are taken together.
 class FilmReadings {
  public:
-  /// Throw `core::ConfigError`: everything `core::CsvNumbers` refuses, units other than degrees, nm and 1/sr in the
-  /// comment, a reading without error beside others with one, fewer than three angles at a node.
+  /// Throw `core::ConfigError`: everything `core::CsvNumbers` refuses, no comment on the first line that names
+  /// the units degrees, nm and 1/sr, others in it, a reading without error beside others with one, fewer than three
+  /// angles at a node.
   static FilmReadings read(const std::filesystem::path& file);
   static FilmReadings parse(std::string_view text, std::string name);
 

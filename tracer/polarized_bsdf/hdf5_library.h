@@ -7,10 +7,24 @@
 
 #include <hdf5.h>
 
+#include "core/base/sha256.h"
+
 /// What the two sides of the HDF5 door share. Not for others: it shows the library.
 namespace evenglow::tracer::hdf5 {
 
 constexpr std::size_t kHdf5Increment = 1 << 16;  ///< bytes by which a file in memory grows
+
+constexpr std::size_t kUserBlock = 512;  ///< bytes before the HDF5 file proper; the smallest that the format allows
+constexpr std::string_view kUserBlockTitle = "Evenglow HDF5, SHA-256 of all after byte 512: ";
+
+/// The user block of a written file: one line with the checksum of the bytes behind it, then zeros. The library is not
+/// safe with damaged bytes, so that a file of ours is verified before the library sees it.
+inline std::string user_block(std::string_view behind) {
+  std::string block(kUserBlockTitle);
+  block += core::sha256_hex(behind) + '\n';
+  block.resize(kUserBlock, '\0');
+  return block;
+}
 
 /// An identifier of the library, closed at the end of its life; negative: the call failed.
 class Handle {

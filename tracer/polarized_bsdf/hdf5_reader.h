@@ -14,16 +14,23 @@ namespace evenglow::tracer {
 ///
 /// Bounded: nothing larger than the caller's limit is read; chunks of at most 1 MiB, filters deflate, shuffle and
 /// Fletcher-32 alone; no links to other files, no storage outside the file.
+///
+/// The library is not safe with damaged bytes. A file of `Hdf5Writer` has its SHA-256 in a user block and is verified
+/// before the library sees it; one of other programs begins with the HDF5 signature (no user block) and has but the
+/// checksums of the format.
 class Hdf5Reader {
  public:
-  /// Throws `core::ConfigError`: no HDF5 file, cut short, damaged. `bytes` need not outlive the call.
+  /// Throws `core::ConfigError`: no HDF5 file, cut short, damaged, edited without its SHA-256. `bytes` need not outlive
+  /// the call.
   Hdf5Reader(std::string_view bytes, std::string name);
   ~Hdf5Reader();
   Hdf5Reader(const Hdf5Reader&) = delete;
   Hdf5Reader& operator=(const Hdf5Reader&) = delete;
 
-  /// Names of all that the root group holds, sorted. Throws if that is not datasets alone.
-  std::vector<std::string> datasets() const;
+  /// How many things the root group holds.
+  std::size_t links() const;
+  /// Does the root group hold this dataset? Throws: a damaged group; something of this name that is no dataset.
+  bool has(const std::string& dataset) const;
   /// Attribute of a dataset, or of the root group (`dataset` empty); none: absent. Throws: of another type.
   std::optional<std::string> text(const std::string& dataset, const char* attribute) const;
   std::optional<long long> integer(const std::string& dataset, const char* attribute) const;

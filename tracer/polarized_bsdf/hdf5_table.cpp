@@ -104,18 +104,21 @@ class TableReader {
   }
 
   void check_names() {
-    names_ = file_.datasets();
-    std::ranges::sort(names_);
-    const auto& columns = columns_of(table_.form);
-    for (const core::CsvColumn& column : columns) {
+    for (const core::CsvColumn& column : columns_of(table_.form)) {
       const std::string dataset = dataset_of(column.name);
-      if (dataset != "kind" && column.required && !has(dataset)) fault(dataset, "is a required dataset, got none");
+      if (column.name == "kind") continue;
+      if (file_.has(dataset)) {
+        names_.push_back(dataset);
+      } else if (column.required) {
+        fault(dataset, "is a required dataset, got none");
+      }
     }
-    for (const std::string& name : names_) {
-      const bool known = std::ranges::any_of(
-          columns, [&](const core::CsvColumn& column) { return column.name != "kind" && dataset_of(column.name) == name; });
-      if (!known) fault(name, fmt::format("is no dataset of the form {}, got one", form_name(table_.form)));
+    finish_step();
+    if (const std::size_t links = file_.links(); links != names_.size()) {
+      fault({}, fmt::format("must hold nothing but datasets of the form {}, got {} of them among {} names",
+                            form_name(table_.form), names_.size(), links));
     }
+    std::ranges::sort(names_);
     finish_step();
   }
 

@@ -24,11 +24,11 @@ void check(bool good, const char* what) {
   if (!good) throw core::Error(fmt::format("HDF5: cannot write {}", what));
 }
 
-/// Where the file ends; its memory is rounded up. Superblock of version 2 or 3: bytes 28 to 35, lowest first (HDF5 File
-/// Format Specification 3.0, II.A).
+/// Where the file ends; its memory is rounded up. Superblock (behind the user block) of version 2 or 3: bytes 28 to 35,
+/// lowest first (HDF5 File Format Specification 3.0, II.A).
 std::size_t end_of_file(const std::string& image) {
   std::size_t end = 0;
-  for (std::size_t i = 8; i-- > 0;) end = end << 8 | static_cast<unsigned char>(image.at(28 + i));
+  for (std::size_t i = 8; i-- > 0;) end = end << 8 | static_cast<unsigned char>(image.at(hdf5::kUserBlock + 28 + i));
   return end;
 }
 
@@ -81,6 +81,7 @@ Hdf5Writer::Hdf5Writer() : impl_(std::make_unique<Impl>()) {
   check(H5Pset_file_image_callbacks(access, &callbacks) >= 0, "into memory");
   const Handle made(H5Pcreate(H5P_FILE_CREATE), H5Pclose);
   H5Pset_obj_track_times(made, false);  // the same table, the same bytes
+  check(H5Pset_userblock(made, hdf5::kUserBlock) >= 0, "a user block");
   impl_->file = H5Fcreate(hdf5::unique_name().c_str(), H5F_ACC_TRUNC, made, access);
   check(impl_->file >= 0, "a file");
 }
@@ -124,6 +125,8 @@ std::string Hdf5Writer::bytes() {
   impl_->file = -1;
   check(closed >= 0, "the file");
   impl_->image.resize(std::min(impl_->image.size(), end_of_file(impl_->image)));
+  check(impl_->image.size() > hdf5::kUserBlock, "the file");
+  impl_->image.replace(0, hdf5::kUserBlock, hdf5::user_block(std::string_view(impl_->image).substr(hdf5::kUserBlock)));
   return std::move(impl_->image);
 }
 

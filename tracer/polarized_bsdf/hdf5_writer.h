@@ -8,7 +8,8 @@
 namespace evenglow::tracer {
 
 /// An HDF5 file made in memory: datasets of numbers in the root group and short attributes, with checksums
-/// (readable by HDF5 1.10 and later). Throws `core::Error` if the library fails. The same calls give the same bytes.
+/// (readable by HDF5 1.10 and later), behind a user block of 512 bytes with the SHA-256 of the rest. Throws
+/// `core::Error` if the library fails. The same calls give the same bytes.
 class Hdf5Writer {
  public:
   Hdf5Writer();

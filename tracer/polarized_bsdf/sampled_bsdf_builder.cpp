@@ -48,6 +48,7 @@ void scale(ResampledPoint& p, double low_factor, double high_factor) {
 }
 
 constexpr double kReported = 61.0 * core::kRadPerDeg;  ///< incidences up to here count in the remarks
+constexpr double kWidestNeeded = 80.0;                 ///< degrees; light beyond is rare
 constexpr double kNotableError = 0.1;                  ///< of the resampling, in the middle of its intervals
 
 }  // namespace
@@ -71,8 +72,30 @@ ResampledNode Resampler::node(double psi, double sigma) {
     normalize(node.kinds[0], node.weights, psi, sigma, h.reflectance_pass, h.reflectance_block);
     normalize(node.kinds[1], node.weights, psi, sigma, h.transmittance_pass, h.transmittance_block);
   }
+  if (hemispherical_ == nullptr) hold_totals(node, psi, sigma);
   limit(node);
   return node;
+}
+
+void Resampler::hold_totals(ResampledNode& node, double psi, double sigma) {
+  const double last = table_.axes().sigma.back();
+  if (sigma <= last + 1e-9) return;
+  const auto total = [](const std::vector<ResampledPoint>& points, const std::vector<double>& weights) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < points.size(); ++i) sum += weights[i] * points[i].S;
+    return sum;
+  };
+  auto [edge, is_new] = edge_totals_.try_emplace(psi);
+  if (is_new) {
+    const std::vector<double> weights = outgoing_weights(shape_.u, shape_.phi, last);
+    edge->second = {total(resampled(ScatterKind::reflection, psi, last), weights),
+                    total(resampled(ScatterKind::transmission, psi, last), weights)};
+  }
+  for (std::size_t kind = 0; kind < 2; ++kind) {
+    const double here = total(node.kinds[kind], node.weights);
+    if (here <= 0.0) continue;
+    for (ResampledPoint& p : node.kinds[kind]) p.S *= edge->second[kind] / here;
+  }
 }
 
 std::vector<ResampledPoint> Resampler::resampled(ScatterKind kind, double psi, double sigma) {
@@ -179,6 +202,10 @@ std::vector<std::string> Resampler::remarks() const {
     remarks.push_back(fmt::format(
         "{}: normalized to the hemispherical table; factors {:.3f} to {:.3f} for incidence up to 60 degrees",
         table_.name(), least_factor_, largest_factor_));
+  }
+  if (const double last = table_.axes().sigma.back() / core::kRadPerDeg; last < kWidestNeeded) {
+    remarks.push_back(fmt::format("{}: no data beyond sigma = {:g} degrees; the lobes of that incidence are held{}",
+                                  table_.name(), last, hemispherical_ == nullptr ? ", and its totals" : ""));
   }
   if (fallbacks_ > 0) {
     remarks.push_back(

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -46,6 +47,9 @@ class Resampler {
   void note_error(const std::vector<ResampledPoint>& points, const Value& value);
   void normalize(std::vector<ResampledPoint>& points, const std::vector<double>& weights, double psi, double sigma,
                  double pass, double block);
+  /// Beyond the table's last sigma, without a hemispherical table: scales each kind to the power for natural light that
+  /// it has at that sigma, of which the horizon would cut off more and more.
+  void hold_totals(ResampledNode& node, double psi, double sigma);
   void limit(ResampledNode& node);
 
   const BsdfTable& table_;
@@ -54,9 +58,10 @@ class Resampler {
   double pass_index_;
   ResamplingShape shape_;
   bool has_kappa_ = false;
-  double least_factor_ = 1.0, largest_factor_ = 1.0;  ///< of the normalization up to sigma = 60 degrees
-  double least_limit_ = 1.0;                          ///< of the scaling down
-  double error_ = 0.0, error_weight_ = 0.0;           ///< of the resampling, psi = 0
+  std::map<double, std::array<double, 2>> edge_totals_;  ///< by psi: of each kind at the last sigma
+  double least_factor_ = 1.0, largest_factor_ = 1.0;     ///< of the normalization up to sigma = 60 degrees
+  double least_limit_ = 1.0;                             ///< of the scaling down
+  double error_ = 0.0, error_weight_ = 0.0;              ///< of the resampling, psi = 0
   std::size_t limited_ = 0, fallbacks_ = 0, nodes_ = 0;
 };
 

@@ -13,6 +13,7 @@
 namespace evenglow::tracer {
 namespace {
 
+constexpr double kWidestNeeded = 80.0;                 ///< degrees; light beyond is rare
 constexpr double kReported = 61.0 * core::kRadPerDeg;  ///< incidences up to here count in the remarks
 constexpr double kNoDiattenuation = 1e-6;              ///< below it a film has no axis of its own
 
@@ -44,8 +45,25 @@ ResampledMuellerNode MuellerResampler::node(double psi, double sigma) {
     normalize(node.kinds[0], node.weights, psi, sigma, h.reflectance_pass, h.reflectance_block);
     normalize(node.kinds[1], node.weights, psi, sigma, h.transmittance_pass, h.transmittance_block);
   }
+  if (hemispherical_ == nullptr) hold_totals(node, psi, sigma);
   limit(node);
   return node;
+}
+
+void MuellerResampler::hold_totals(ResampledMuellerNode& node, double psi, double sigma) {
+  const double last = table_.axes().sigma.back();
+  if (sigma <= last + 1e-9) return;
+  auto [edge, is_new] = edge_totals_.try_emplace(psi);
+  if (is_new) {
+    const std::vector<double> weights = outgoing_weights(u_, phi_, last);
+    edge->second = {first_row(resampled(ScatterKind::reflection, psi, last), weights)[0],
+                    first_row(resampled(ScatterKind::transmission, psi, last), weights)[0]};
+  }
+  for (std::size_t kind = 0; kind < 2; ++kind) {
+    const double here = first_row(node.kinds[kind], node.weights)[0];
+    if (here <= 0.0) continue;
+    for (core::MuellerMatrix& matrix : node.kinds[kind]) matrix *= edge->second[kind] / here;
+  }
 }
 
 /// As `Resampler` does it for S: linear interpolation between exact values lies above a convex function by f'' h^2 / 12
@@ -126,6 +144,10 @@ std::vector<std::string> MuellerResampler::remarks() const {
     remarks.push_back(fmt::format(
         "{}: normalized to the hemispherical table; factors {:.3f} to {:.3f} for incidence up to 60 degrees", name,
         least_factor_, largest_factor_));
+  }
+  if (const double last = table_.axes().sigma.back() / core::kRadPerDeg; last < kWidestNeeded) {
+    remarks.push_back(fmt::format("{}: no data beyond sigma = {:g} degrees; the lobes of that incidence are held{}",
+                                  name, last, hemispherical_ == nullptr ? ", and its totals" : ""));
   }
   if (fallbacks_ > 0) {
     remarks.push_back(

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -31,6 +32,8 @@ class MuellerResampler {
   std::vector<core::MuellerMatrix> resampled(ScatterKind kind, double psi, double sigma) const;
   void normalize(std::vector<core::MuellerMatrix>& points, const std::vector<double>& weights, double psi, double sigma,
                  double pass, double block);
+  /// As `Resampler` does it.
+  void hold_totals(ResampledMuellerNode& node, double psi, double sigma);
   void limit(ResampledMuellerNode& node);
 
   const MuellerTable& table_;
@@ -38,8 +41,9 @@ class MuellerResampler {
   const HemisphericalTable* hemispherical_;
   double pass_index_;
   std::size_t u_, phi_;
-  double least_factor_ = 1.0, largest_factor_ = 1.0;  ///< of the normalization up to sigma = 60 degrees
-  double least_limit_ = 1.0;                          ///< of the scaling down
+  std::map<double, std::array<double, 2>> edge_totals_;  ///< by psi: of each kind at the last sigma
+  double least_factor_ = 1.0, largest_factor_ = 1.0;     ///< of the normalization up to sigma = 60 degrees
+  double least_limit_ = 1.0;                             ///< of the scaling down
   std::size_t limited_ = 0, fallbacks_ = 0, nodes_ = 0;
 };
 

@@ -10,12 +10,14 @@
 #include "tracer/polarized_bsdf/bsdf_grid.h"
 #include "tracer/polarized_bsdf/csv_units.h"
 #include "tracer/polarized_bsdf/grid_check.h"
+#include "tracer/polarized_bsdf/hdf5_reader.h"
 #include "tracer/polarized_bsdf/hdf5_table.h"
 #include "tracer/polarized_bsdf/mueller_check.h"
 #include "tracer/polarized_bsdf/mueller_energy.h"
 #include "tracer/polarized_bsdf/sampled_bsdf.h"
 #include "tracer/polarized_bsdf/sampled_mueller.h"
 #include "tracer/polarized_bsdf/stored_table.h"
+#include "tracer/polarized_bsdf/table_limits.h"
 #include "tracer/polarized_bsdf/table_symmetry.h"
 
 namespace evenglow::tracer {
@@ -28,6 +30,14 @@ const char* kind_name(ScatterKind kind) {
   return kind == ScatterKind::reflection ? "BRDF" : "BTDF";
 }
 
+/// Is there anything, and no control character but tabs and ends of lines?
+bool holds_text(std::string_view text) {
+  return !text.empty() && std::ranges::none_of(text, [](char c) {
+    const auto u = static_cast<unsigned char>(c);
+    return u < 0x20 && c != '\t' && c != '\r' && c != '\n';
+  });
+}
+
 class Checker {
  public:
   Checker(std::string_view text, const std::string& name, const TableCheckOptions& options)
@@ -36,6 +46,9 @@ class Checker {
   TableCheck run() {
     try {
       if (names_hdf5(name_)) {
+        result_.readable = false;
+        const Hdf5Reader opened(text_, name_);
+        result_.readable = true;
         const StoredTable table = parse_hdf5_table(text_, name_);
         check_table(table.rows(), table);
       } else {
@@ -55,6 +68,7 @@ class Checker {
   }
 
   void check_csv() {
+    result_.readable = holds_text(text_);
     if (const auto fault = unit_fault(text_, name_, true)) result_.faults.push_back(*fault);
     const StoredForm form = is_mueller_file(text_) ? StoredForm::mueller : StoredForm::diattenuator;
     const core::CsvNumbers rows = core::CsvNumbers::parse(text_, name_, columns_of(form), row_check_of(form));
@@ -101,6 +115,7 @@ class Checker {
 
   void check_values(const core::CsvNumbers& rows, const BsdfTable& table,
                     const std::vector<IncidenceEnergy>& energies) {
+    if (is_black(table)) return fault(0, "must reflect or transmit, tau is 0 everywhere");
     collect(table, energies);
     for (const IncidenceEnergy& e : energies) check_energy(rows, table, e);
     check_axes(table, energies);

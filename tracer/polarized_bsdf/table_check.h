@@ -29,6 +29,7 @@ struct HemisphericalLine {
 };
 
 struct TableCheck {
+  bool readable = true;             ///< false: no text (empty, binary), or no HDF5 file that opens
   std::vector<core::Fault> faults;  ///< one line each; empty: the table is good
   std::vector<std::string> remarks;
   std::vector<HemisphericalLine> hemispherical;  ///< lambda slowest; empty if the table could not be read
@@ -37,9 +38,9 @@ struct TableCheck {
 /// Is a BSDF table physical and whole? Faults: what `core::CsvNumbers` and `BsdfTable` refuse (so 0 <= tau_min <=
 /// tau_max, 0
 /// <= kappa <= 1, which is the same as a coherency matrix without negative eigenvalue: those of this form are 0, 0 and
-/// (t+ +- sqrt(t-^2 + 4 c^2)) / 4), units, repeated and missing nodes, rows out of order, energy, reciprocity beyond
-/// the tolerance or beyond a factor of 10 anywhere. Remarks: energy within the tolerance, mirror symmetry, pass and
-/// block axis exchanged, what the sampler will do.
+/// (t+ +- sqrt(t-^2 + 4 c^2)) / 4), units, repeated and missing nodes, rows out of order, energy, tau 0 everywhere,
+/// reciprocity beyond the tolerance or beyond a factor of 10 anywhere. Remarks: energy within the tolerance, mirror
+/// symmetry, pass and block axis exchanged, what the sampler will do.
 ///
 /// A table of Mueller matrices (column m00) passes the same checks with its own forms: least eigenvalue of each
 /// coherency matrix at least -1e-6 of its trace; R + T of the polarization that has most over the whole Poincare

@@ -15,6 +15,10 @@ struct Path {
   double psi = 0.0, sigma = 0.0, phi = 0.0, theta = 0.0;
 };
 
+/// S that a table of zeros comes out with: its logarithm has a floor (`BsdfTable`), here with room for rounding.
+constexpr double kNegligible = 2e-12;  ///< of the largest S
+constexpr double kLeast = 2e-30;       ///< 1/sr
+
 struct Vector {
   double x, y, z;
 };
@@ -46,6 +50,7 @@ Agreement agreement(const BsdfTable& table, ScatterKind kind, const Partner& par
   const BsdfTable::Axes& a = table.axes();
   Agreement result;
   double difference = 0.0, sum = 0.0, worst = 0.0;
+  const double zero = std::max(kNegligible * table.largest(), kLeast);
   for (std::size_t l = 0; l < a.lambda_nm.size(); ++l) {
     for (std::size_t p = 0; p < a.psi.size(); ++p) {
       for (std::size_t s = 0; s < a.sigma.size(); ++s) {
@@ -59,6 +64,7 @@ Agreement agreement(const BsdfTable& table, ScatterKind kind, const Partner& par
             const BsdfTable::Node& node = table.node(kind, p, s, f, t, l);
             const double here = node.tau_min + node.tau_max;
             const double there = table.at(kind, other->psi, other->sigma, other->phi, other->theta, a.lambda_nm[l]).S;
+            if (here <= zero && there <= zero) continue;  // dark both ways: no ratio to speak of
             const double weight = std::cos(path.sigma) * out.z;
             difference += weight * std::abs(here - there);
             sum += weight * 0.5 * (here + there);

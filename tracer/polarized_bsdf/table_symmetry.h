@@ -14,7 +14,7 @@ struct NodeComparison {
 
 /// Agreement over all comparable nodes of a kind.
 struct Agreement {
-  std::size_t pairs = 0;
+  std::size_t pairs = 0;         ///< without those where both are 0
   double mean_difference = 0.0;  ///< sum w |S - S'| / sum w (S + S')/2, w the projected solid angles of the node
   NodeComparison worst;          ///< the largest |ln ratio|
 };

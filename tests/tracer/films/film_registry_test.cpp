@@ -54,9 +54,10 @@ TEST(FilmRegistry, TabulatedDbef) {
   ASSERT_TRUE(film.surface);
   EXPECT_TRUE(film.surface->scatters());
   EXPECT_NEAR(film.axis, core::kPi / 2, 1e-12);
-  ASSERT_EQ(film.remarks.size(), 2u);
+  ASSERT_EQ(film.remarks.size(), 3u);
   EXPECT_THAT(film.remarks[0], HasSubstr("dbef.csv: normalized to the hemispherical table"));
-  EXPECT_EQ(film.remarks[1], "dbef.csv: data at 550 nm alone, used at every wavelength");
+  EXPECT_EQ(film.remarks[1], "dbef.csv: no data beyond sigma = 60 degrees; the lobes of that incidence are held");
+  EXPECT_EQ(film.remarks[2], "dbef.csv: data at 550 nm alone, used at every wavelength");
   EXPECT_FALSE(film.at_wavelength);
 }
 
@@ -107,6 +108,9 @@ TEST(FilmRegistry, NamesFaults) {
   EXPECT_THAT(faults_of("{kind: dbef, table: " + tests::data_file("dbef.csv") + ", transmittance_pass: 0.5}"),
               HasSubstr("transmittance_pass"));
   EXPECT_THAT(faults_of("{kind: foil}"), HasSubstr("kind"));
+  EXPECT_THAT(faults_of("{kind: dbef, xyzzy: 1}"), HasSubstr("table, hemispherical, model, transmittance_pass"));
+  EXPECT_THAT(faults_of("{kind: dbef, xyzzy: 1, table: " + tests::data_file("dbef.csv") + "}"),
+              HasSubstr("known here: kind, gap_mm, axis_deg, table, wavelength_nm, hemispherical"));
 }
 
 }  // namespace

@@ -13,7 +13,6 @@
 namespace evenglow::tracer {
 namespace {
 
-using testing::ElementsAre;
 using testing::HasSubstr;
 
 Film film_of(const std::string& yaml) {
@@ -68,16 +67,17 @@ TEST_F(MuellerFilmMaker, ReadsCsvAndHdf5) {
     EXPECT_NEAR(transmitted(*film.at_wavelength(550).surface), std::sqrt(0.05 * 0.25), 1e-6) << "ln S is linear";
     EXPECT_NEAR(transmitted(*film.at_wavelength(900).surface), 0.25, 1e-6);
     EXPECT_NEAR(transmitted(*film.surface), std::sqrt(0.05 * 0.25), 1e-6);
-    EXPECT_THAT(film.remarks, ElementsAre(std::string(name) +
-                                          ": data at 2 wavelengths from 450 to 650 nm; beyond these the nearest is "
-                                          "used"));
+    EXPECT_THAT(film.remarks,
+                ::testing::Contains(std::string(name) +
+                                    ": data at 2 wavelengths from 450 to 650 nm; beyond these the nearest is "
+                                    "used"));
   }
 }
 
 TEST_F(MuellerFilmMaker, OneWavelengthOrTheKeyServesAll) {
   const Film one = film_of("{kind: mueller_table, table: " + path("one.h5") + "}");
   EXPECT_FALSE(one.at_wavelength);
-  EXPECT_THAT(one.remarks, ElementsAre("one.h5: data at 550 nm alone, used at every wavelength"));
+  EXPECT_THAT(one.remarks, ::testing::Contains("one.h5: data at 550 nm alone, used at every wavelength"));
   const Film key = film_of("{kind: mueller_table, wavelength_nm: 650, table: " + path("m.h5") + "}");
   EXPECT_FALSE(key.at_wavelength);
   EXPECT_NEAR(transmitted(*key.surface), 0.25, 1e-6);
@@ -105,6 +105,28 @@ TEST_F(MuellerFilmMaker, FramesByTheKey) {
   EXPECT_GT(std::abs(u("laboratory") - u("film")), 0.1 * std::abs(u("film")));
 }
 
+TEST_F(MuellerFilmMaker, RefusesOtherUnitsGainAndNothing) {
+  const std::string text = csv_text(spectral({450, 650}));
+  const auto written = [&](const char* name, const std::string& content) {
+    tests::write_text(folder_ / name, content);
+    return faults_of("{kind: mueller_table, table: " + path(name) + "}");
+  };
+  const std::string rows = text.substr(text.find("kind,"));
+  EXPECT_EQ(written("bare.csv", rows), "accepted");
+  EXPECT_THAT(written("rad.csv", "# radians, nm, 1/sr\n" + rows),
+              HasSubstr("table: " + path("rad.csv") + ":1:1: the comment must name the units"));
+  const auto scaled = [](double factor) {
+    StoredTable table = spectral({550});
+    for (auto& column : table.values) {
+      for (double& value : column) value *= factor;
+    }
+    return csv_text(table);
+  };
+  EXPECT_EQ(written("some.csv", scaled(6.8)), "accepted") << "R + T = 0.15 x 6.8 = 1.02";
+  EXPECT_THAT(written("gain.csv", scaled(7.2)), HasSubstr("must give R + T of at most 1.05"));
+  EXPECT_THAT(written("zero.csv", scaled(0.0)), HasSubstr("must reflect or transmit, got tau 0 everywhere"));
+}
+
 TEST_F(MuellerFilmMaker, NamesFaults) {
   EXPECT_THAT(faults_of("{kind: mueller_table}"), HasSubstr("table"));
   EXPECT_THAT(faults_of("{kind: mueller_table, table: " + tests::data_file("dbef.csv") + "}"),
@@ -117,7 +139,7 @@ TEST_F(MuellerFilmMaker, NamesFaults) {
               HasSubstr("hemispherical"));
   tests::write_text(folder_ / "cut.h5", tests::file_text(folder_ / "m.h5").substr(0, 3000));
   EXPECT_THAT(faults_of("{kind: mueller_table, table: " + path("cut.h5") + "}"),
-              HasSubstr("cut.h5: must be a whole HDF5 file"));
+              HasSubstr("cut.h5: must have the SHA-256"));
 }
 
 }  // namespace

@@ -168,6 +168,15 @@ TEST(BsdfTable, RefusesWhatIsNoTable) {
   EXPECT_THROW(BsdfTable::read("/"), core::ConfigError);
 }
 
+TEST(BsdfTable, RefusesOtherUnitsAndTakesNone) {
+  const std::string text = text_of(small_rows());
+  const std::string rows = text.substr(text.find('\n') + 1);
+  EXPECT_THAT(fault_of("# radians, nm, 1/sr\n" + rows), HasSubstr("film.csv:1:1: the comment must name the units"));
+  EXPECT_THAT(fault_of("# degrees, mm, cd/m2\n" + rows), HasSubstr("got 'cd/m2'"));
+  EXPECT_EQ(fault_of(rows), "accepted");
+  EXPECT_EQ(fault_of("# my film\n" + rows), "accepted");
+}
+
 TEST(BsdfTable, RefusesFilesAbove256MB) {
   const std::string path = testing::TempDir() + "/evenglow_large_table.csv";
   std::ofstream(path) << "kind\n";
@@ -176,7 +185,7 @@ TEST(BsdfTable, RefusesFilesAbove256MB) {
     BsdfTable::read(path);
     ADD_FAILURE() << "accepted";
   } catch (const core::ConfigError& error) {
-    EXPECT_THAT(error.what(), HasSubstr("must be at most 256 MB"));
+    EXPECT_THAT(error.what(), HasSubstr("must not be larger than 256 MiB"));
   }
   std::filesystem::remove(path);
 }

@@ -45,6 +45,14 @@ TEST(CsvUnits, WhatIsNotRequiredMayBeMissingButNotWrong) {
   EXPECT_NE(fault("# radians\n", false), "");
 }
 
+TEST(CsvUnits, MillimetersAreWrongForTheWavelengthOnly) {
+  for (const bool required : {false, true}) {
+    EXPECT_EQ(fault("# degrees, mm, 1/sr\n", required), std::string(kAllowed) + ", got 'mm'");
+    EXPECT_EQ(fault("# film of 0.3 mm; degrees, nm, 1/sr\n", required), "");
+  }
+  EXPECT_EQ(fault("# film of 0.3 mm\n", false), "") << "names no units";
+}
+
 TEST(CsvUnits, OnlyTheCommentAboveTheHeaderCounts) {
   EXPECT_EQ(fault("# degrees, nm, 1/sr\na,b\n# radians\n1,2\n"), "");
   EXPECT_EQ(fault("# degraded film, radius 3, nm, degrees, 1/sr\n"), "") << "words are whole";

@@ -80,6 +80,14 @@ TEST(FilmReadings, GeneralReadings) {
 
 TEST(FilmReadings, NamesFaults) {
   EXPECT_THAT(fault([] { FilmReadings::parse("# radians\na\n", "r.csv"); }), HasSubstr("got 'radians'"));
+  EXPECT_THAT(
+      fault([] { FilmReadings::parse(std::string(kNode) + ",b0,b45,b90,b135\nBRDF,0,0,0,0,550,1,1,1,1\n", "r.csv"); }),
+      HasSubstr("r.csv:1:1: the comment must name the units degrees, nm and 1/sr on the first line, got none"));
+  EXPECT_THAT(fault([] {
+                FilmReadings::parse(std::string("# my film\n") + kNode + ",b0,b45,b90,b135\nBRDF,0,0,0,0,550,1,1,1,1\n",
+                                    "r.csv");
+              }),
+              HasSubstr("got one without 1/sr"));
   EXPECT_THAT(fault([] { four(",b0,b45,b90,b135", "BRDF,0,0,0,0,550,1,,,1\n"); }), HasSubstr("r.csv:3:"));
   EXPECT_THAT(fault([] { four(",b0,b45,b90", "BRDF,0,0,0,0,550,1,1,1\n"); }), HasSubstr("b135"));
   EXPECT_THAT(fault([] { four(",b0,b45,b90,b135,se", "BRDF,0,0,0,0,550,1,1,1,1,-1\n"); }), HasSubstr("se"));

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "core/base/error.h"
+#include "core/base/sha256.h"
 #include "tracer/polarized_bsdf/hdf5_reader.h"
 
 namespace evenglow::tracer {
@@ -22,7 +23,9 @@ TEST(Hdf5Writer, WhatIsWrittenIsRead) {
   writer.numbers("line", std::array<std::size_t, 1>{24}, {}, values);
   writer.text("box", "unit", "1/sr");
   const Hdf5Reader reader(writer.bytes(), "a.h5");
-  EXPECT_EQ(reader.datasets(), (std::vector<std::string>{"box", "line"}));
+  EXPECT_EQ(reader.links(), 2u);
+  EXPECT_TRUE(reader.has("box"));
+  EXPECT_TRUE(reader.has("line"));
   EXPECT_EQ(reader.text("", "title"), "two \xC2\xB5m\nlines");
   EXPECT_EQ(reader.integer("", "version"), -3);
   EXPECT_EQ(reader.text("box", "unit"), "1/sr");
@@ -38,6 +41,16 @@ TEST(Hdf5Writer, HoldsWhatIsLargerThanItsFirstMemory) {
   Hdf5Writer writer;
   writer.numbers("a", std::array{values.size()}, {}, values);
   EXPECT_EQ(Hdf5Reader(writer.bytes(), "a.h5").numbers("a", values.size()), values);
+}
+
+TEST(Hdf5Writer, BeginsWithTheChecksumOfTheRest) {
+  Hdf5Writer writer;
+  writer.text("", "title", "a film");
+  const std::string bytes = writer.bytes();
+  std::string block = "Evenglow HDF5, SHA-256 of all after byte 512: " + core::sha256_hex(bytes.substr(512)) + "\n";
+  block.resize(512, '\0');
+  EXPECT_EQ(bytes.substr(0, 512), block);
+  EXPECT_EQ(bytes.substr(512, 8), std::string("\x89HDF\r\n\x1a\n"));
 }
 
 TEST(Hdf5Writer, SeveralAtATimeDoNotMeet) {

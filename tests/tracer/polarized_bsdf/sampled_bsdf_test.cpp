@@ -1,5 +1,6 @@
 #include "tracer/polarized_bsdf/sampled_bsdf.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numeric>
@@ -123,6 +124,31 @@ TEST(SampledBsdf, NeverGivesMoreThanItGets) {
     const auto& total = bsdf.integral(n);
     EXPECT_LE(0.5 * (total.S + std::hypot(total.x, total.y)), 1.0 + 1e-6);
   }
+}
+
+TEST(SampledBsdf, KeepsItsTotalsBeyondTheLastIncidence) {
+  // Data that end at 30 degrees, a lobe that the horizon cuts more and more. The film must not turn black for it.
+  std::string text = "kind,psi_deg,sigma_deg,phi_deg,theta_deg,lambda_nm,tau_min,tau_max,delta_deg\n";
+  for (const char* kind : {"BRDF", "BTDF"}) {
+    for (const char* sigma : {"0", "30"}) {
+      for (const char* lobe : {"0,550,0.1,0.6", "20,550,0.05,0.3", "40,550,0.01,0.06", "70,550,0.001,0.006"}) {
+        text += std::string(kind) + ",0," + sigma + ",0," + lobe + ",0\n";
+      }
+    }
+  }
+  const SampledBsdf bsdf(BsdfTable::parse(text, "short.csv"), 550.0, nullptr, 1.58);
+  const IncidenceGrid& grid = bsdf.incidences();
+  double at_30 = 0.0;
+  for (std::size_t n = 0; n < IncidenceGrid::kSigma; ++n) {
+    if (std::abs(grid.sigma(n) - 30.0 * kRad) < 1e-9) at_30 = bsdf.integral(n).S;
+    if (grid.sigma(n) > 31.0 * kRad) {
+      EXPECT_NEAR(bsdf.integral(n).S / at_30, 1.0, 1e-4) << grid.sigma(n) / kRad;
+    }
+  }
+  EXPECT_GT(at_30, 0.1);
+  ASSERT_EQ(bsdf.remarks().size(), 1u);
+  EXPECT_EQ(bsdf.remarks()[0],
+            "short.csv: no data beyond sigma = 30 degrees; the lobes of that incidence are held, and its totals");
 }
 
 TEST(SampledBsdf, StaysWithin16MB) {

@@ -303,5 +303,39 @@ TEST(TableSymmetry, TheDataAreReciprocalWithinTheInterpolation) {
   }
 }
 
+constexpr const char* kHeader =
+    "# degrees, nm, 1/sr\nkind,psi_deg,sigma_deg,phi_deg,theta_deg,lambda_nm,tau_min,tau_max,delta_deg\n";
+
+TEST(TableCheck, ATableOfZerosHasThatFaultAlone) {
+  const auto black = [](Lines& l) { scale_rows(l, 0.0, [](const Lines&) { return true; }); };
+  EXPECT_EQ(faults_with(black), "film.csv: must reflect or transmit, tau is 0 everywhere\n");
+  const auto totals = HemisphericalTable::read(data_file("dbef_hemispherical.csv"));
+  TableCheckOptions options;
+  options.hemispherical = &totals;
+  EXPECT_EQ(faults_with(black, options), "film.csv: must reflect or transmit, tau is 0 everywhere\n");
+  const TableCheck one = check_table(std::string(kHeader) + "BRDF,0,0,0,0,550,0,0,0\n", "one.csv");
+  ASSERT_EQ(one.faults.size(), 1u);
+  EXPECT_EQ(one.faults[0].to_string(), "one.csv: must reflect or transmit, tau is 0 everywhere");
+  EXPECT_TRUE(one.readable);
+}
+
+TEST(TableCheck, DarkPairsDoNotCountAsDeviation) {
+  const TableCheck dark =
+      check_with([](Lines& l) { scale_rows(l, 0.0, [](const Lines& e) { return e[0] == "BTDF"; }); });
+  EXPECT_THAT(dark.faults, IsEmpty());
+  for (const std::string& remark : dark.remarks) EXPECT_THAT(remark, testing::Not(HasSubstr("mirrored")));
+  const TableCheck one =
+      check_table(std::string(kHeader) + "BRDF,0,0,0,0,550,0.1,0.2,0\nBTDF,0,0,0,0,550,0,0,0\n", "one.csv");
+  EXPECT_THAT(one.faults, IsEmpty());
+}
+
+TEST(TableCheck, TellsWhatCannotBeReadFromABadTable) {
+  EXPECT_FALSE(check_table("", "film.csv").readable);
+  EXPECT_FALSE(check_table(std::string_view("\x00\x01\x02,", 4), "film.csv").readable);
+  EXPECT_FALSE(check_table("no HDF5", "film.h5").readable);
+  EXPECT_TRUE(check_table("not a table\n", "film.csv").readable);
+  EXPECT_TRUE(check_with([](Lines& l) { l.resize(100); }).readable);
+}
+
 }  // namespace
 }  // namespace evenglow::tracer
