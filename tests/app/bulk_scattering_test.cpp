@@ -43,7 +43,7 @@ TEST(BulkScatteringCommand, IsSwept) {
                                folder.path());
   ASSERT_EQ(result.code, 0) << result.err;
   EXPECT_THAT(result.out, HasSubstr("haze (ASTM D1003"));
-  EXPECT_THAT(file_text(folder / "out.csv"), HasSubstr(",haze,haze_se\n"));
+  EXPECT_THAT(file_text(folder / "out.csv"), HasSubstr(",haze,haze_se,facets,facets_se\n"));
 }
 
 /// A goniometer integrates over a BSDF; that of a body's light there is none.

@@ -55,7 +55,8 @@ TEST(DiffuserMaker, Tabulated) {
   };
   EXPECT_NEAR(relative(film_from(keys("")), 20), 0.3, 0.01);
   EXPECT_EQ(film_faults(keys(", transmittance: 0.7, reflectance: 0")), "accepted");
-  EXPECT_THAT(film_from(keys(", transmittance: 0.7, reflectance: 0")).remarks, ::testing::SizeIs(1));
+  EXPECT_THAT(film_from(keys(", transmittance: 0.7, reflectance: 0")).remarks,
+              ::testing::SizeIs(2));  // the other: where the data end
   EXPECT_THAT(film_faults(keys(", transmittance: 0.7")), HasSubstr("must stand beside reflectance"));
   EXPECT_THAT(film_faults(keys(", transmittance: 0.7, reflectance: 0.1")), HasSubstr("a table without brdf"));
   EXPECT_THAT(film_faults(keys(", fwhm_deg: 10")), HasSubstr("fwhm_deg"));
