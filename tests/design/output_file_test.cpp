@@ -16,7 +16,7 @@ TEST(OutputFile, ReplacesTheWholeFile) {
 }
 
 TEST(OutputFile, FullDiskLeavesTheOldFileAsItWas) {
-  if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "no /dev/full here";
+  ASSERT_TRUE(std::filesystem::exists("/dev/full"));
   const samples::Folder folder("full");
   write_file(folder.path() / "a", "old");
   std::filesystem::create_symlink("/dev/full", folder.path() / "a.part");

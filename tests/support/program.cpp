@@ -11,6 +11,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "tests/support/permissions.h"
+
 namespace evenglow::tests {
 namespace {
 
@@ -23,6 +25,7 @@ namespace {
                      ::dup2(out_file, 1) >= 0 && ::dup2(err_file, 2) >= 0;
   std::signal(SIGINT, SIG_DFL);
   std::signal(SIGTERM, SIG_DFL);
+  obey_permissions_after_exec();
   if (ready && (*folder == '\0' || ::chdir(folder) == 0)) ::execv(words[0], words);
   ::_exit(127);
 }
