@@ -4,7 +4,7 @@
 
 namespace evenglow::tracer {
 
-/// Hits of a detector, as the share of the photons.
+/// Hits of a detector, photons.
 struct DetectorHits {
   double hits = 0.0;
   double hits_se = 0.0;  ///< from the batches

@@ -48,7 +48,6 @@ void scale(ResampledPoint& p, double low_factor, double high_factor) {
 }
 
 constexpr double kReported = 61.0 * core::kRadPerDeg;  ///< incidences up to here count in the remarks
-constexpr double kWidestNeeded = 80.0;                 ///< degrees; light beyond is rare
 constexpr double kNotableError = 0.1;                  ///< of the resampling, in the middle of its intervals
 
 }  // namespace
@@ -60,7 +59,8 @@ Resampler::Resampler(const BsdfTable& table, double wavelength_nm, const Hemisph
       hemispherical_(hemispherical),
       pass_index_(pass_index),
       shape_(shape),
-      has_kappa_(table.least_kappa() < 1.0) {}
+      has_kappa_(table.least_kappa() < 1.0),
+      held_(table.axes().sigma.back()) {}
 
 ResampledNode Resampler::node(double psi, double sigma) {
   ResampledNode node;
@@ -78,23 +78,22 @@ ResampledNode Resampler::node(double psi, double sigma) {
 }
 
 void Resampler::hold_totals(ResampledNode& node, double psi, double sigma) {
-  const double last = table_.axes().sigma.back();
-  if (sigma <= last + 1e-9) return;
+  if (!held_.is_beyond(sigma)) return;
+  const double last = held_.last_sigma();
   const auto total = [](const std::vector<ResampledPoint>& points, const std::vector<double>& weights) {
     double sum = 0.0;
     for (std::size_t i = 0; i < points.size(); ++i) sum += weights[i] * points[i].S;
     return sum;
   };
-  auto [edge, is_new] = edge_totals_.try_emplace(psi);
-  if (is_new) {
+  const std::array<double, 2>& edge = held_.at(psi, [&]() -> std::array<double, 2> {
     const std::vector<double> weights = outgoing_weights(shape_.u, shape_.phi, last);
-    edge->second = {total(resampled(ScatterKind::reflection, psi, last), weights),
-                    total(resampled(ScatterKind::transmission, psi, last), weights)};
-  }
+    return {total(resampled(ScatterKind::reflection, psi, last), weights),
+            total(resampled(ScatterKind::transmission, psi, last), weights)};
+  });
   for (std::size_t kind = 0; kind < 2; ++kind) {
     const double here = total(node.kinds[kind], node.weights);
     if (here <= 0.0) continue;
-    for (ResampledPoint& p : node.kinds[kind]) p.S *= edge->second[kind] / here;
+    for (ResampledPoint& p : node.kinds[kind]) p.S *= edge[kind] / here;
   }
 }
 
@@ -203,9 +202,8 @@ std::vector<std::string> Resampler::remarks() const {
         "{}: normalized to the hemispherical table; factors {:.3f} to {:.3f} for incidence up to 60 degrees",
         table_.name(), least_factor_, largest_factor_));
   }
-  if (const double last = table_.axes().sigma.back() / core::kRadPerDeg; last < kWidestNeeded) {
-    remarks.push_back(fmt::format("{}: no data beyond sigma = {:g} degrees; the lobes of that incidence are held{}",
-                                  table_.name(), last, hemispherical_ == nullptr ? ", and its totals" : ""));
+  if (const std::string remark = held_.remark(table_.name(), hemispherical_ != nullptr); !remark.empty()) {
+    remarks.push_back(remark);
   }
   if (fallbacks_ > 0) {
     remarks.push_back(

@@ -2,12 +2,12 @@
 
 #include <array>
 #include <cstddef>
-#include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "tracer/polarized_bsdf/bsdf_table.h"
+#include "tracer/polarized_bsdf/held_totals.h"
 #include "tracer/polarized_bsdf/hemispherical_table.h"
 
 namespace evenglow::tracer {
@@ -58,10 +58,10 @@ class Resampler {
   double pass_index_;
   ResamplingShape shape_;
   bool has_kappa_ = false;
-  std::map<double, std::array<double, 2>> edge_totals_;  ///< by psi: of each kind at the last sigma
-  double least_factor_ = 1.0, largest_factor_ = 1.0;     ///< of the normalization up to sigma = 60 degrees
-  double least_limit_ = 1.0;                             ///< of the scaling down
-  double error_ = 0.0, error_weight_ = 0.0;              ///< of the resampling, psi = 0
+  HeldTotals held_;
+  double least_factor_ = 1.0, largest_factor_ = 1.0;  ///< of the normalization up to sigma = 60 degrees
+  double least_limit_ = 1.0;                          ///< of the scaling down
+  double error_ = 0.0, error_weight_ = 0.0;           ///< of the resampling, psi = 0
   std::size_t limited_ = 0, fallbacks_ = 0, nodes_ = 0;
 };
 

@@ -13,7 +13,6 @@
 namespace evenglow::tracer {
 namespace {
 
-constexpr double kWidestNeeded = 80.0;                 ///< degrees; light beyond is rare
 constexpr double kReported = 61.0 * core::kRadPerDeg;  ///< incidences up to here count in the remarks
 constexpr double kNoDiattenuation = 1e-6;              ///< below it a film has no axis of its own
 
@@ -33,7 +32,8 @@ MuellerResampler::MuellerResampler(const MuellerTable& table, double wavelength_
       hemispherical_(hemispherical),
       pass_index_(pass_index),
       u_(u),
-      phi_(phi) {}
+      phi_(phi),
+      held_(table.axes().sigma.back()) {}
 
 ResampledMuellerNode MuellerResampler::node(double psi, double sigma) {
   ResampledMuellerNode node;
@@ -51,18 +51,17 @@ ResampledMuellerNode MuellerResampler::node(double psi, double sigma) {
 }
 
 void MuellerResampler::hold_totals(ResampledMuellerNode& node, double psi, double sigma) {
-  const double last = table_.axes().sigma.back();
-  if (sigma <= last + 1e-9) return;
-  auto [edge, is_new] = edge_totals_.try_emplace(psi);
-  if (is_new) {
+  if (!held_.is_beyond(sigma)) return;
+  const double last = held_.last_sigma();
+  const std::array<double, 2>& edge = held_.at(psi, [&]() -> std::array<double, 2> {
     const std::vector<double> weights = outgoing_weights(u_, phi_, last);
-    edge->second = {first_row(resampled(ScatterKind::reflection, psi, last), weights)[0],
-                    first_row(resampled(ScatterKind::transmission, psi, last), weights)[0]};
-  }
+    return {first_row(resampled(ScatterKind::reflection, psi, last), weights)[0],
+            first_row(resampled(ScatterKind::transmission, psi, last), weights)[0]};
+  });
   for (std::size_t kind = 0; kind < 2; ++kind) {
     const double here = first_row(node.kinds[kind], node.weights)[0];
     if (here <= 0.0) continue;
-    for (core::MuellerMatrix& matrix : node.kinds[kind]) matrix *= edge->second[kind] / here;
+    for (core::MuellerMatrix& matrix : node.kinds[kind]) matrix *= edge[kind] / here;
   }
 }
 
@@ -145,9 +144,8 @@ std::vector<std::string> MuellerResampler::remarks() const {
         "{}: normalized to the hemispherical table; factors {:.3f} to {:.3f} for incidence up to 60 degrees", name,
         least_factor_, largest_factor_));
   }
-  if (const double last = table_.axes().sigma.back() / core::kRadPerDeg; last < kWidestNeeded) {
-    remarks.push_back(fmt::format("{}: no data beyond sigma = {:g} degrees; the lobes of that incidence are held{}",
-                                  name, last, hemispherical_ == nullptr ? ", and its totals" : ""));
+  if (const std::string remark = held_.remark(name, hemispherical_ != nullptr); !remark.empty()) {
+    remarks.push_back(remark);
   }
   if (fallbacks_ > 0) {
     remarks.push_back(

@@ -2,10 +2,10 @@
 
 #include <array>
 #include <cstddef>
-#include <map>
 #include <string>
 #include <vector>
 
+#include "tracer/polarized_bsdf/held_totals.h"
 #include "tracer/polarized_bsdf/hemispherical_table.h"
 #include "tracer/polarized_bsdf/mueller_table.h"
 
@@ -41,9 +41,9 @@ class MuellerResampler {
   const HemisphericalTable* hemispherical_;
   double pass_index_;
   std::size_t u_, phi_;
-  std::map<double, std::array<double, 2>> edge_totals_;  ///< by psi: of each kind at the last sigma
-  double least_factor_ = 1.0, largest_factor_ = 1.0;     ///< of the normalization up to sigma = 60 degrees
-  double least_limit_ = 1.0;                             ///< of the scaling down
+  HeldTotals held_;
+  double least_factor_ = 1.0, largest_factor_ = 1.0;  ///< of the normalization up to sigma = 60 degrees
+  double least_limit_ = 1.0;                          ///< of the scaling down
   std::size_t limited_ = 0, fallbacks_ = 0, nodes_ = 0;
 };
 
