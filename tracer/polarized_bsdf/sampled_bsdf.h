@@ -77,6 +77,7 @@ class SampledBsdf {
   static constexpr std::size_t kRows = LobeProposals::kRows;
   static constexpr std::size_t kBlock = kPhi / kRows;  ///< intervals of phi' and of u in a block
   static_assert(kRows * kBlock == kPhi && LobeProposals::kColumns * kBlock == kU);
+  static constexpr double kInt16 = 1.0 / 32767.0;  ///< unit of `Point::y`
   static constexpr double kBelowOne = 1.0 - 0x1.0p-53;
 
   /// Roots of A = (S - X) / 2 and B = (S + X) / 2 in units of the node, X along the node's axis and Y across it, and
