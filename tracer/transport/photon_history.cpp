@@ -164,10 +164,8 @@ bool PhotonHistory::scatters_within(Walk& walk, const Body& body, double distanc
 }
 
 bool PhotonHistory::step(Walk& walk, core::PhotonRng& rng, BatchSums& sums) const {
-  Photon& photon = walk.photon;
-  const SceneOptics& optics = scene_.optics[walk.band];
   const RayHit hit = next_hit(walk);
-  if (!consistent(photon, hit)) {
+  if (!consistent(walk.photon, hit)) {
     sums.energy[scene_.energy.lost_bin(LossReason::kLeak)] += 1.0;
     return false;
   }
@@ -175,26 +173,44 @@ bool PhotonHistory::step(Walk& walk, core::PhotonRng& rng, BatchSums& sums) cons
     escape(walk, sums);
     return false;
   }
-  if (photon.body >= 0) {
-    const Body& body = optics.bodies[static_cast<std::size_t>(photon.body)];
-    const bool scattered = body.scattering && scatters_within(walk, body, hit.distance, rng);
-    if (!scattered) walk.optical_depth -= body.absorption * hit.distance;
-    if (walk.optical_depth <= 0.0) {
-      sums.energy[scene_.energy.absorbed_bin(body.part)] += walk.weight.y();
+  switch (fly(walk, hit.distance, rng, sums)) {
+    case Flight::kAbsorbed:
       return false;
-    }
-    if (scattered) return true;
+    case Flight::kScattered:
+      return true;
+    case Flight::kArrived:
+      break;
   }
-  const Surface& surface = optics.surfaces[static_cast<std::size_t>(hit.quad)];
+  return interact(walk, hit, rng, sums);
+}
+
+PhotonHistory::Flight PhotonHistory::fly(Walk& walk, double distance, core::PhotonRng& rng, BatchSums& sums) const {
+  if (walk.photon.body < 0) return Flight::kArrived;
+  const Body& body = scene_.optics[walk.band].bodies[static_cast<std::size_t>(walk.photon.body)];
+  const bool scattered = body.scattering && scatters_within(walk, body, distance, rng);
+  if (!scattered) walk.optical_depth -= body.absorption * distance;
+  if (walk.optical_depth <= 0.0) {
+    sums.energy[scene_.energy.absorbed_bin(body.part)] += walk.weight.y();
+    return Flight::kAbsorbed;
+  }
+  return scattered ? Flight::kScattered : Flight::kArrived;
+}
+
+void PhotonHistory::estimate(const Walk& walk, const Bsdf& optics, const StokesVector& light, const Vec3& position,
+                             core::PhotonRng& rng, BatchSums& sums) const {
+  for (int i = 0; i < NextEvent::kDirections; ++i) {
+    if (const auto score = next_event_.score(optics, light, position, walk.band, rng)) {
+      sums.add_luminance({score->bin, score->weight / NextEvent::kDirections}, walk.weight);
+    }
+  }
+}
+
+bool PhotonHistory::interact(Walk& walk, const RayHit& hit, core::PhotonRng& rng, BatchSums& sums) const {
+  Photon& photon = walk.photon;
+  const Surface& surface = scene_.optics[walk.band].surfaces[static_cast<std::size_t>(hit.quad)];
   const Encounter encounter = meet(surface, hit.position, rng);
   const StokesVector light = to_local(surface, photon.light);
-  if (surface.is_viewed_scatterer) {
-    for (int i = 0; i < NextEvent::kDirections; ++i) {
-      if (const auto score = next_event_.score(*encounter.optics, light, hit.position, walk.band, rng)) {
-        sums.add_luminance({score->bin, score->weight / NextEvent::kDirections}, walk.weight);
-      }
-    }
-  }
+  if (surface.is_viewed_scatterer) estimate(walk, *encounter.optics, light, hit.position, rng, sums);
   const double k_before = light.frame.k.z();
   const auto sample = encounter.optics->sample(light, rng);
   if (!sample) {

@@ -57,6 +57,14 @@ class PhotonHistory {
   bool consistent(const Photon& photon, const RayHit& hit) const;
   Encounter meet(const Surface& surface, const core::Vec3& position, core::PhotonRng& rng) const;
   void escape(const Walk& walk, BatchSums& sums) const;
+  enum class Flight { kArrived, kScattered, kAbsorbed };
+  /// The way through the bulk to a surface at `distance`: the photon may be absorbed or scattered on it.
+  Flight fly(Walk& walk, double distance, core::PhotonRng& rng, BatchSums& sums) const;
+  /// What the surface that was hit does to the photon; false: the history has ended.
+  bool interact(Walk& walk, const RayHit& hit, core::PhotonRng& rng, BatchSums& sums) const;
+  /// Adds what the scatterer is expected to send to the viewer. `light`: in the frame of its surface.
+  void estimate(const Walk& walk, const Bsdf& optics, const core::StokesVector& light, const core::Vec3& position,
+                core::PhotonRng& rng, BatchSums& sums) const;
 
   const Scene& scene_;
   const std::vector<Surface>& quads_;  ///< surfaces of the first wavelength: where they lie is the same for all
