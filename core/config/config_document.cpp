@@ -80,6 +80,10 @@ const std::vector<DeclaredKey>& ConfigDocument::declared() const {
   return state_->declared;
 }
 
+const std::vector<MentionedKey>& ConfigDocument::mentioned() const {
+  return state_->mentioned;
+}
+
 void ConfigDocument::finish() const {
   std::vector<Fault> faults = all_faults(*state_);
   if (faults.empty()) return;

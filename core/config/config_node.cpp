@@ -132,6 +132,10 @@ std::optional<std::string> ConfigNode::kind(const ChoiceKey& declaration) const 
 }
 
 std::filesystem::path ConfigNode::file(const TextKey& declaration) const {
+  return file_in(declaration, "");
+}
+
+std::filesystem::path ConfigNode::file_in(const TextKey& declaration, std::string_view in_directory) const {
   const auto found = impl_->take(declared(declaration, "file"));
   if (found == nullptr && !declaration.fallback) impl_->miss(declaration.key, declaration.help);
   std::optional<std::string> name = declaration.fallback;
@@ -140,7 +144,8 @@ std::filesystem::path ConfigNode::file(const TextKey& declaration) const {
   const std::string path = key_path(impl_->path, declaration.key);
   const auto& folders = impl_->state->folders;
   const auto own = found != nullptr ? folders.find(*found->place.file) : folders.end();
-  const std::filesystem::path file = (own != folders.end() ? own->second : impl_->state->folder) / *name;
+  std::filesystem::path file = (own != folders.end() ? own->second : impl_->state->folder) / *name;
+  if (!in_directory.empty()) file /= in_directory;
   const bool nameless = name->empty() || name->find('\0') != std::string::npos;
   const std::string trouble = nameless ? "must be the name of a file, got " + described(*found) : file_trouble(file);
   if (trouble.empty()) {

@@ -34,6 +34,8 @@ class ConfigNode {
   bool is_map() const;
   bool is_list() const;
   bool has(std::string_view key) const;
+  /// Whether the key holds a map (of keys that may be a word or a map).
+  bool has_map(std::string_view key) const;
   const std::string& path() const;  ///< `backlight.films[1]`
 
   double number(const NumberKey& declaration) const;
@@ -55,6 +57,8 @@ class ConfigNode {
   /// Path of an existing regular file, taken relative to the run file's folder (so is a fallback; an empty fallback
   /// means no file and gives an empty path). Absent: the fallback, or a fault. After a fault: an empty path.
   std::filesystem::path file(const TextKey& declaration) const;
+  /// The file `name` in the directory that the key names; else as `file`.
+  std::filesystem::path file_in(const TextKey& declaration, std::string_view name) const;
 
   /// The map below `key`; absent if the key is (then `required` makes it a fault). Anything but a map is a fault.
   ConfigNode map(std::string_view key, std::string_view help, bool required = false) const;
@@ -135,7 +139,12 @@ class ConfigDocument {
   /// may be applied to another document. Names must be of letters, digits, `_`, `-` and `.`, and not begin with `.`.
   /// Marks `variants` as read.
   std::vector<Variant> variants() const;
-
+  /// The points of the map `sweep` at the top, in their order: name and overrides. Its one key says how they are made:
+  /// `grid` (key paths, each with a list of values: all combinations, the last key running fastest), `zip` (the same:
+  /// the first values of all keys, the second ones, and so on) or `list` (maps of key paths, one for each point). The
+  /// names tell the values that can be told in a few letters and are each of their own (`p03_haze-0.9_seed-2`); they
+  /// sort in the order of the points. Empty without a sweep. Marks `sweep` as read.
+  std::vector<Variant> sweep() const;
   ConfigNode root() const;
   const std::string& name() const;              ///< as given, for messages
   const std::string& source_text() const;       ///< the file as read
@@ -146,6 +155,8 @@ class ConfigDocument {
 
   /// Every key that readers have declared so far, each once per node pattern and kind, in the order of the first reads.
   const std::vector<DeclaredKey>& declared() const;
+  /// Every key that readers have asked for with `has` so far.
+  const std::vector<MentionedKey>& mentioned() const;
 
   /// Every key that was not read becomes a fault (with the nearest key that its reader knows); then throws all
   /// faults, if any, as one ConfigError, in the order of lines (the first 100 of them, and how many more there are).

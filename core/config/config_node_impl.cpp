@@ -42,6 +42,11 @@ const ConfigValue* ConfigNode::Impl::take(DeclaredKey declaration) const {
   return found != nullptr ? found->value.get() : nullptr;
 }
 
+void ConfigNode::Impl::mention(std::string_view key) const {
+  const auto kind = state->kinds.find(path);
+  state->mention({pattern, kind != state->kinds.end() ? kind->second : "", std::string(key)});
+}
+
 void ConfigNode::Impl::miss(std::string_view key, std::string_view help) const {
   const std::string missing_path = key_path(path, key);
   if (is_muted() || !state->refused.insert(missing_path).second) return;

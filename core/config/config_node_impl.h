@@ -27,6 +27,8 @@ struct ConfigNode::Impl {
   void mute() const;
   /// Notes the declaration and gives the value of its key; null if it is absent. A node that is no map is a fault.
   const ConfigValue* take(DeclaredKey declaration) const;
+  /// Remembers that a reader asked for the key.
+  void mention(std::string_view key) const;
   /// Notes that a required key is not there.
   void miss(std::string_view key, std::string_view help) const;
   /// Notes that the value at `at_path` is wrong, once for each path.

@@ -36,6 +36,7 @@ DeclaredKey declared(const NumbersKey& key) {
   result.range = key.range;
   result.min_count = key.min_count;
   result.max_count = key.max_count;
+  result.whole = key.whole;
   return result;
 }
 

@@ -31,7 +31,14 @@ bool ConfigNode::is_list() const {
 }
 
 bool ConfigNode::has(std::string_view key) const {
+  impl_->mention(key);
   return present() && impl_->value->find(key) != nullptr;
+}
+
+bool ConfigNode::has_map(std::string_view key) const {
+  impl_->mention(key);
+  const ConfigChild* child = present() ? impl_->value->find(key) : nullptr;
+  return child != nullptr && child->value->is_map();
 }
 
 const std::string& ConfigNode::path() const {

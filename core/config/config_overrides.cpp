@@ -7,6 +7,7 @@
 #include "core/config/config_state.h"
 #include "core/config/includes.h"
 #include "core/config/key_path.h"
+#include "core/config/located_override.h"
 #include "core/config/message_text.h"
 #include "core/config/yaml_limits.h"
 #include "core/config/yaml_reader.h"
@@ -15,6 +16,7 @@ namespace evenglow::core {
 namespace {
 
 constexpr std::string_view kVariants = "variants";
+constexpr std::string_view kSweep = "sweep";
 
 bool is_variant_name(std::string_view name) {
   const auto allowed = [](char c) {
@@ -71,15 +73,14 @@ void lay(ConfigState& state, const std::vector<KeyStep>& steps, std::unique_ptr<
   }
 }
 
-ConfigDocument::Override located_override(const ConfigChild& child) {
-  const ConfigPlace& place = child.place;
+}  // namespace
+
+ConfigDocument::Override located_override(const std::string& path, const ConfigValue& value, const ConfigPlace& place) {
   const std::string origin =
       place.line > 0 ? fmt::format("{}:{}:{}", *place.file, place.line, place.column) : *place.file;
-  auto copy = std::make_shared<ConfigChild>(ConfigChild{child.key, place, copy_of(*child.value)});
-  return {child.key, flow_text(*child.value), origin, std::move(copy)};
+  auto copy = std::make_shared<ConfigChild>(ConfigChild{path, place, copy_of(value)});
+  return {path, flow_text(value), origin, std::move(copy)};
 }
-
-}  // namespace
 
 void ConfigDocument::apply(const Override& change) {
   ConfigPlace place{std::make_shared<const std::string>(change.origin), 0, 0};
@@ -89,7 +90,9 @@ void ConfigDocument::apply(const Override& change) {
   if (!steps) {
     return state_->note(place, shown_path, "must be a key path such as trace.photons or backlight.films[1].axis_deg");
   }
-  if (steps->front().key == kVariants) return state_->note(place, shown_path, "variants cannot be overridden");
+  for (const std::string_view runs : {kVariants, kSweep}) {
+    if (steps->front().key == runs) return state_->note(place, shown_path, std::string(runs) + " cannot be overridden");
+  }
   std::vector<Fault> faults;
   auto value = change.located ? copy_of(*change.located->value)
                               : read_yaml(change.yaml, {place.file, shown_path, false}, faults);
@@ -117,7 +120,8 @@ std::vector<ConfigDocument::Variant> ConfigDocument::variants() const {
       continue;
     }
     result.emplace_back(name, std::vector<Override>{});
-    for (const ConfigChild& change : changes.children) result.back().second.push_back(located_override(change));
+    for (const ConfigChild& change : changes.children)
+      result.back().second.push_back(located_override(change.key, *change.value, change.place));
   }
   return result;
 }

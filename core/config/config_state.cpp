@@ -83,6 +83,10 @@ void ConfigState::declare(DeclaredKey declaration) {
   if (declared_ids.insert(id).second) declared.push_back(std::move(declaration));
 }
 
+void ConfigState::mention(MentionedKey key) {
+  if (std::find(mentioned.begin(), mentioned.end(), key) == mentioned.end()) mentioned.push_back(std::move(key));
+}
+
 std::vector<Fault> all_faults(const ConfigState& state) {
   UnreadKeys unread(state);
   unread.visit(*state.root, "");

@@ -40,11 +40,13 @@ struct ConfigState {
   std::vector<std::filesystem::path> files;  ///< that keys name, in the order of the reads
   std::vector<DeclaredKey> declared;
   std::unordered_set<std::string> declared_ids;
+  std::vector<MentionedKey> mentioned;
   std::unordered_map<std::string, std::string> kinds;  ///< by path of the map
 
   void note(const ConfigPlace& at, const std::string& path, std::string_view message, bool missing = false);
   void note(const std::vector<Fault>& found);
   void declare(DeclaredKey declaration);
+  void mention(MentionedKey key);
 };
 
 /// All faults of the document, those of unread keys included: ordered, each once.

@@ -91,6 +91,16 @@ struct DeclaredKey {
   std::vector<std::string> options{};  ///< of a choice
   std::size_t min_count = 0;           ///< of a list
   std::size_t max_count = 0;           ///< of a list; 0: no list
+  bool whole = false;                  ///< of numbers: only whole ones
+};
+
+/// A key that a reader asked for without a declaration: what it is shows only in a file that holds it.
+struct MentionedKey {
+  std::string node;  ///< as of `DeclaredKey`
+  std::string kind;
+  std::string key;
+
+  bool operator==(const MentionedKey&) const = default;
 };
 
 }  // namespace evenglow::core
