@@ -22,7 +22,9 @@ core::StokesVector turned(core::StokesVector light, const core::Vec3& k_out) {
     return light;
   }
   const core::Vec3 e1 = light.frame.e1 - (k + k_out) * (light.frame.e1.dot(k_out) / denominator);
-  light.frame = {k_out, (e1 - k_out * e1.dot(k_out)).normalized()};
+  // Of unit length but for rounding: one step of Newton's method in place of a root and a division.
+  const core::Vec3 across = e1 - k_out * e1.dot(k_out);
+  light.frame = {k_out, across * (1.5 - 0.5 * across.squaredNorm())};
   return light;
 }
 
@@ -65,28 +67,43 @@ std::optional<BsdfSample> Diffuser::sample(const core::StokesVector& incident, c
   return std::nullopt;
 }
 
+namespace {
+
+/// A uniform point of the unit disk without its center: of the pair (a, b) and s = a^2 + b^2, (a, b) / sqrt(s) has a
+/// uniform angle that does not depend on s, and s is uniform (Marsaglia & Bray, SIAM Review 6, 1964).
+struct DiskPoint {
+  double a = 0.0, b = 0.0, s = 1.0;
+
+  explicit DiskPoint(core::PhotonRng& rng) {
+    do {
+      a = 2.0 * rng.uniform() - 1.0;
+      b = 2.0 * rng.uniform() - 1.0;
+      s = a * a + b * b;
+    } while (s >= 1.0 || s == 0.0);
+  }
+};
+
+}  // namespace
+
 /// A direction on the side of `unscattered`.
 core::Vec3 Diffuser::draw_direction(const core::Vec3& unscattered, core::PhotonRng& rng) const {
   const double side = unscattered.z() >= 0.0 ? 1.0 : -1.0;
   while (true) {
-    const double angle = 2.0 * core::kPi * rng.uniform();
-    double bx = 0.0, by = 0.0;
+    const DiskPoint point(rng);
+    double bx = point.a, by = point.b;  // Lambert's law: uniform over the disk of direction cosines
     if (lobe_ || abg_) {
-      const double way = lobe_ ? lobe_->width() * std::sqrt(-2.0 * std::log(rng.uniform())) : abg_->draw_way(rng);
-      bx = unscattered.x() + way * std::cos(angle);
-      by = unscattered.y() + way * std::sin(angle);
-      if (bx * bx + by * by >= 1.0) continue;
-      const double beta = std::sqrt(bx * bx + by * by);
+      const double way = lobe_ ? lobe_->width() * std::sqrt(-2.0 * std::log(point.s)) : abg_->draw_way(rng);
+      const double per_radius = way / std::sqrt(point.s);
+      bx = unscattered.x() + per_radius * point.a;
+      by = unscattered.y() + per_radius * point.b;
+      const double beta2 = bx * bx + by * by;
+      if (beta2 >= 1.0) continue;
+      const double beta = std::sqrt(beta2);
       const double accept =
           lobe_ ? lobe_->scaling(beta) / lobe_->largest_scaling() : abg_->scaling(beta) / abg_->largest_scaling();
       if (rng.uniform() >= accept) continue;
-    } else {  // Lambert's law: uniform over the disk of direction cosines
-      const double way = std::sqrt(rng.uniform());
-      bx = way * std::cos(angle);
-      by = way * std::sin(angle);
     }
-    const double cos_out = std::sqrt(std::max(1.0 - bx * bx - by * by, 1e-18));
-    return core::Vec3(bx, by, side * cos_out).normalized();
+    return {bx, by, side * std::sqrt(std::max(1.0 - bx * bx - by * by, 1e-18))};
   }
 }
 

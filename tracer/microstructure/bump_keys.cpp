@@ -5,6 +5,7 @@
 #include <fmt/core.h>
 
 #include "core/base/units.h"
+#include "tracer/microstructure/pattern_face.h"
 
 namespace evenglow::tracer {
 namespace {
@@ -15,8 +16,7 @@ using core::Range;
 BumpPlacement placed(const ConfigNode& node, double axis) {
   const bool sunk =
       node.choice({"form", "bumps of the plate's material, or dents in it", {"raised", "sunk"}, "raised"}) == "sunk";
-  const bool on_top = node.choice({"face", "patterned face", {"bottom", "top"}, "bottom"}) == "top";
-  return {sunk ? BumpPlacement::Form::kSunk : BumpPlacement::Form::kRaised, axis, on_top};
+  return {sunk ? BumpPlacement::Form::kSunk : BumpPlacement::Form::kRaised, axis, read_pattern_on_top(node)};
 }
 
 }  // namespace

@@ -17,6 +17,9 @@ class OpaqueReflector final : public Bsdf {
   bool scatters() const override { return reflectance_ > 0.0 && specular_ < 1.0; }
   Specular specular(const core::Vec3& k) const override;
 
+  double reflectance() const { return reflectance_; }
+  double specular_share() const { return specular_; }
+
  private:
   double reflectance_;
   double specular_;

@@ -1,5 +1,6 @@
 #include "tracer/receivers/luminance_receiver.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/base/error.h"
@@ -8,26 +9,66 @@
 
 namespace evenglow::tracer {
 
+bool Pupil::sees(const core::Vec3& position, const core::Vec3& k) const {
+  if (k.z() <= 0.0) return false;
+  const core::Vec3 met = position + (center.z() - position.z()) / k.z() * k;
+  return (met - center).squaredNorm() <= radius * radius;
+}
+
+double Pupil::projected_solid_angle(const core::Vec3& position) const {
+  const double h2 = std::pow(center.z() - position.z(), 2);
+  const double r2 = radius * radius;
+  const double a2 = std::pow(center.x() - position.x(), 2) + std::pow(center.y() - position.y(), 2);
+  const double x = a2 + h2 - r2;
+  const double s = std::sqrt(x * x + 4.0 * r2 * h2);
+  // pi/2 (1 - x/s); for a small pupil without the difference of nearly equal numbers.
+  return x > 0.0 ? 2.0 * core::kPi * r2 * h2 / (s * (s + x)) : 0.5 * core::kPi * (1.0 - x / s);
+}
+
 LuminanceReceiver::LuminanceReceiver(const core::CellGrid& cells, double cone, double polar, double azimuth)
     : cells_(cells),
       sin_cone_(std::sin(cone)),
-      cos_cone_(std::cos(cone)),
       tilted_(polar > 0.0),
       side_(-std::sin(azimuth), std::cos(azimuth), 0.0),
       up_(-std::cos(polar) * std::cos(azimuth), -std::cos(polar) * std::sin(azimuth), std::sin(polar)),
-      axis_(std::sin(polar) * std::cos(azimuth), std::sin(polar) * std::sin(azimuth), std::cos(polar)),
-      weight_(1.0 / (core::kPi * sin_cone_ * sin_cone_)) {
-  core::expects(cone > 0.0 && polar >= 0.0 && polar + cone <= 0.5 * core::kPi + 1e-12,
-                "0 < cone <= 90 degrees, none of it below the horizon");
+      axis_(std::sin(polar) * std::cos(azimuth), std::sin(polar) * std::sin(azimuth), std::cos(polar)) {
+  core::expects(cone >= 0.0 && polar >= 0.0 && polar + cone <= 0.5 * core::kPi + 1e-12 && polar < 0.5 * core::kPi,
+                "0 <= cone <= 90 degrees, none of it below the horizon");
+  const double counted = cone < kLeastCountedCone ? std::min(kWideCountedCone, 0.5 * core::kPi - polar) : cone;
+  sin_counted_ = std::sin(counted);
+  cos_counted_ = std::cos(counted);
+  weight_ = 1.0 / (core::kPi * sin_counted_ * sin_counted_);
   if (tilted_) weight_ /= axis_.z();
 }
 
-bool LuminanceReceiver::sees(const core::Vec3& k) const {
-  if (tilted_) return k.dot(axis_) >= cos_cone_;
-  return k.x() * k.x() + k.y() * k.y() <= sin_cone_ * sin_cone_;
+LuminanceReceiver::LuminanceReceiver(const core::CellGrid& cells, const Pupil& pupil)
+    : LuminanceReceiver(cells, 0.5 * core::kPi) {
+  core::expects(pupil.radius > 0.0 && pupil.center.z() > pupil.display_z, "a pupil above the display");
+  pupil_ = pupil;
 }
 
-View LuminanceReceiver::sample_view(double u1, double u2) const {
+bool LuminanceReceiver::sees(const core::Vec3& k) const {
+  if (tilted_) return k.dot(axis_) >= cos_counted_;
+  return k.x() * k.x() + k.y() * k.y() <= sin_counted_ * sin_counted_;
+}
+
+View LuminanceReceiver::sample_pupil(const core::Vec3& position, double u1, double u2, double aside) const {
+  const double to_center = std::hypot(pupil_->center.x() - position.x(), pupil_->center.y() - position.y());
+  const double height = pupil_->center.z() - position.z();
+  // A sheet takes light less far aside than the straight way: by at most depth x tan(polar angle), so that light which
+  // aims past the pupil by no more than that may come in.
+  const double depth = std::fmax(0.0, pupil_->display_z - position.z());
+  const double reach = pupil_->radius + aside + depth * (to_center + pupil_->radius) / (height - depth);
+  const double r = reach * std::sqrt(u1);
+  const double phi = 2.0 * core::kPi * u2;
+  const core::Vec3 way = pupil_->center + r * core::Vec3(std::cos(phi), std::sin(phi), 0.0) - position;
+  const double d2 = way.squaredNorm();
+  // k_z d(solid angle) = h^2 / d^4 d(area)
+  return {way / std::sqrt(d2), core::kPi * reach * reach * height * height / (d2 * d2)};
+}
+
+View LuminanceReceiver::sample_view(const core::Vec3& position, double u1, double u2, double aside) const {
+  if (pupil_) return sample_pupil(position, u1, u2, aside);
   const core::Vec3 local = core::sample_cosine_cone(u1, u2, sin_cone_);
   if (!tilted_) return {local, 1.0};
   // Drawn with density k.a / (pi sin^2 cone), wanted with k_z over the projected solid angle.
@@ -35,12 +76,20 @@ View LuminanceReceiver::sample_view(double u1, double u2) const {
   return {k, k.z() / (local.z() * axis_.z())};
 }
 
+std::optional<Score> LuminanceReceiver::score_view(const core::Vec3& seen, const View& view) const {
+  const int bin = cells_.index_at(seen.x(), seen.y());
+  if (bin < 0) return std::nullopt;
+  if (!pupil_) return Score{static_cast<std::size_t>(bin), view.weight};
+  const core::Vec3 from(seen.x(), seen.y(), pupil_->display_z);
+  if (!pupil_->sees(from, view.k)) return std::nullopt;
+  return Score{static_cast<std::size_t>(bin), view.weight / pupil_->projected_solid_angle(from)};
+}
+
 std::optional<Score> LuminanceReceiver::score(const Crossing& crossing) const {
   if (crossing.side != Side::kTop || crossing.estimated) return std::nullopt;
+  if (pupil_) return score_view(crossing.position, {crossing.k, 1.0});
   if (!sees(crossing.k)) return std::nullopt;
-  const int bin = cells_.index_at(crossing.position.x(), crossing.position.y());
-  if (bin < 0) return std::nullopt;
-  return Score{static_cast<std::size_t>(bin), weight_};
+  return score_view(crossing.position, {crossing.k, weight_});
 }
 
 double luminance_per_score(const LuminanceReceiver& receiver, double flux, std::uint64_t photons) {

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 
+#include "core/base/units.h"
 #include "core/math/cell_field.h"
 #include "core/math/vec3.h"
 #include "core/montecarlo/tally.h"
@@ -10,43 +12,75 @@
 
 namespace evenglow::tracer {
 
-/// How the luminance is estimated. `kCounting`: every photon that leaves within the cone. `kNextEvent`: at each scatter
-/// in the topmost scattering film, the expected share that leaves in a direction drawn from the cone; photons that pass
-/// that film straight are counted, so that the sum is unbiased.
+/// How the luminance is estimated. `kCounting`: every photon that leaves within the cone. `kNextEvent`: at each scatter,
+/// the expected share that goes to the viewer; photons whose way that leaves out are counted, so that the sum is
+/// unbiased (docs/theory.md).
 enum class LuminanceEstimator { kCounting, kNextEvent };
 
-/// A direction of view drawn from the cone, and the factor that makes up for how it is drawn.
+/// A direction of view drawn from the cone or towards the pupil, and the factor that makes up for how it is drawn.
 struct View {
   core::Vec3 k;
   double weight = 1.0;
 };
 
+/// The pupil of an eye or a camera before the display: a disk parallel to it, mm.
+struct Pupil {
+  core::Vec3 center = core::Vec3::Zero();
+  double radius = 0.0;
+  double display_z = 0.0;  ///< of the plane where light leaves the backlight; below the center
+
+  bool sees(const core::Vec3& position, const core::Vec3& k) const;
+  /// Of the disk from a point of a plane parallel to it, sr: pi times the view factor from an element to a parallel
+  /// disk off its axis (Howell, Menguc, Daun, Siegel: Thermal Radiation Heat Transfer, configuration B-13).
+  double projected_solid_angle(const core::Vec3& position) const;
+};
+
 /// Luminance of each cell of the display's active area, averaged over a viewing cone about the display's normal or
 /// about a tilted axis: L = flux into the cone / (area projected solid angle). The vector integral of the directions of
 /// a cone about the unit vector a is pi sin^2(cone) a, so that its projected solid angle is pi sin^2(cone) a_z,
-/// exactly, for any cone above the horizon. Scores are in 1/sr per photon.
+/// exactly, for any cone above the horizon. Or seen through a pupil: the same with the flux into the pupil and its
+/// projected solid angle from each place, so that the direction of view varies over the display. Scores are in 1/sr per
+/// photon.
 class LuminanceReceiver final : public Receiver {
  public:
-  /// `cells`: the active area at the top of the backlight (mm); `cone`: half angle (rad), in (0, pi/2]; `polar` (from
+  /// `cells`: the active area at the top of the backlight (mm); `cone`: half angle (rad), in [0, pi/2]; `polar` (from
   /// the normal) and `azimuth` (from +x towards +y) of its axis (rad), polar + cone <= pi/2. Error otherwise.
   LuminanceReceiver(const core::CellGrid& cells, double cone, double polar = 0.0, double azimuth = 0.0);
+  /// Photons cannot be counted in one direction: below `kLeastCountedCone` those that leave without an estimate are
+  /// counted in a cone of `kWideCountedCone` instead, whose luminance stands for that of the narrow one.
+  static constexpr double kLeastCountedCone = 0.499 * core::kRadPerDeg;
+  static constexpr double kWideCountedCone = 5.0 * core::kRadPerDeg;
+  /// Error unless the pupil has a radius and lies above the display.
+  LuminanceReceiver(const core::CellGrid& cells, const Pupil& pupil);
 
   std::size_t bins() const override { return cells_.size(); }
   std::optional<Score> score(const Crossing& crossing) const override;
 
   const core::CellGrid& cells() const { return cells_; }
-  /// For two uniform numbers in (0, 1): the mean of `weight` x (what goes to k, 1/sr) is the luminance of the cone.
-  View sample_view(double u1, double u2) const;
+  /// For two uniform numbers in (0, 1): a direction of view from `position`, at or below the display's plane. The light
+  /// that goes there (1/sr) is to be scored by `score_view` from where it leaves the backlight; the mean of such scores
+  /// over the numbers is the luminance.
+  /// `aside`: how far from `position` the light may leave, beyond what a sheet does (mm); for a cone it does not
+  /// matter.
+  View sample_view(const core::Vec3& position, double u1, double u2, double aside = 0.0) const;
+  /// The pupil, if it is one that sees the light.
+  const std::optional<Pupil>& pupil() const { return pupil_; }
+  /// Bin and factor for a drawn view that leaves the backlight at `seen` (x and y count). Empty: outside the active
+  /// area, or past the pupil (sheets above a scatterer shift its light, so `sample_view` draws from all directions that
+  /// may come in).
+  std::optional<Score> score_view(const core::Vec3& seen, const View& view) const;
 
  private:
   bool sees(const core::Vec3& k) const;
+  View sample_pupil(const core::Vec3& position, double u1, double u2, double aside) const;
 
   core::CellGrid cells_;
   double sin_cone_;
-  double cos_cone_;
+  double sin_counted_ = 0.0, cos_counted_ = 1.0;  ///< of the cone that photons are counted in
   bool tilted_;
   core::Vec3 side_, up_, axis_;  // right-handed; `axis_` is that of the cone
-  double weight_;
+  double weight_ = 0.0;
+  std::optional<Pupil> pupil_;
 };
 
 /// Luminance of each cell with its standard error (cd/m2).

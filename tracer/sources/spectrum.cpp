@@ -8,8 +8,8 @@
 #include <fmt/core.h>
 
 #include "core/base/error.h"
-#include "core/light/cie_1931.h"
 #include "core/config/csv_numbers.h"
+#include "core/light/cie_1931.h"
 
 namespace evenglow::tracer {
 namespace {
@@ -33,6 +33,28 @@ Spectrum sampled(const std::function<double(double)>& power) {
   return spectrum;
 }
 
+/// Integral of the table, linear between its rows, from `low` to `high` (nm) within the rows `i` and i + 1.
+double piece(const core::CsvNumbers& rows, std::size_t i, double low, double high) {
+  const double x0 = rows.value(i, 0), x1 = rows.value(i + 1, 0);
+  const double from = std::max(low, x0), to = std::min(high, x1);
+  if (from >= to) return 0.0;
+  const double t = (0.5 * (from + to) - x0) / (x1 - x0);
+  return (to - from) * std::lerp(rows.value(i, 1), rows.value(i + 1, 1), t);
+}
+
+/// One line a nanometer with the power of the table within half a nanometer of it, so that no narrow line of a finely
+/// sampled spectrum slips through.
+Spectrum binned(const core::CsvNumbers& rows) {
+  std::size_t first = 0;
+  return sampled([&](double nm) {
+    const double low = nm - 0.5, high = nm + 0.5;
+    while (first + 2 < rows.rows() && rows.value(first + 1, 0) <= low) ++first;
+    double sum = 0.0;
+    for (std::size_t i = first; i + 1 < rows.rows() && rows.value(i, 0) < high; ++i) sum += piece(rows, i, low, high);
+    return sum;
+  });
+}
+
 Spectrum read_table(const std::filesystem::path& file) {
   constexpr std::array<core::Range, 2> kRanges{kVisible, Range::closed(0, 1e12)};
   const std::array<core::CsvColumn, 2> columns{
@@ -45,15 +67,11 @@ Spectrum read_table(const std::filesystem::path& file) {
                                         fmt::format("must be larger than that of the row before ({:g}), got {:g}",
                                                     rows.value(i - 1, 0), rows.value(i, 0))});
   }
-  std::size_t next = 0;
-  Spectrum spectrum = sampled([&](double nm) {
-    while (next < rows.rows() && rows.value(next, 0) < nm) ++next;
-    if (next == rows.rows()) return 0.0;
-    if (rows.value(next, 0) == nm) return rows.value(next, 1);
-    if (next == 0) return 0.0;
-    const double t = (nm - rows.value(next - 1, 0)) / (rows.value(next, 0) - rows.value(next - 1, 0));
-    return (1.0 - t) * rows.value(next - 1, 1) + t * rows.value(next, 1);
-  });
+  if (rows.rows() < 2) {
+    throw core::ConfigError(
+        core::Fault{file.string(), 0, 0, "", "must hold two rows at least, power per nm between them, got one"});
+  }
+  Spectrum spectrum = binned(rows);
   if (!(spectrum.xyz().y() > 0.0)) {
     throw core::ConfigError(core::Fault{file.string(), 0, 0, "power", "must hold some visible light, got none"});
   }
@@ -67,11 +85,12 @@ double area(double center, double fwhm) {
   return sum;
 }
 
-/// Gaussian against 1 / wavelength, `fwhm` (nm) wide about its peak: phosphor bands are symmetric in energy.
+/// Power per nm of a phosphor: a Gaussian against 1 / wavelength, as its band is broadened in energy, with the peak and
+/// the full width at half maximum (nm) of what a spectrometer shows: 1/center -+ width/2 are `fwhm` apart.
 double phosphor_band(double wavelength, double center, double fwhm) {
-  const double width = fwhm / (center * center - 0.25 * fwhm * fwhm);
+  const double width = 2.0 * fwhm / (center * (center + std::hypot(center, fwhm)));
   const double x = (1.0 / wavelength - 1.0 / center) / width;
-  return std::exp(-4.0 * std::log(2.0) * x * x) * std::pow(center / wavelength, 2);
+  return std::exp(-4.0 * std::log(2.0) * x * x);
 }
 
 Spectrum read_white_led(const ConfigNode& node) {

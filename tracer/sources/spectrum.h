@@ -28,9 +28,11 @@ double led_peak(double wavelength, double center, double fwhm);
 /// | kind | key | meaning | default |
 /// | --- | --- | --- | --- |
 /// | monochromatic | wavelength_nm | 380 to 780 | 550 |
-/// | table | file | CSV: `wavelength_nm,power`, relative power per nm, linear between the rows, 0 outside | |
+/// | table | file | CSV: `wavelength_nm,power`, relative power per nm, two rows at least, linear between the rows, 0
+/// outside; taken together nanometer by nanometer | |
 /// | white_led | blue_nm, blue_fwhm_nm | peak of the chip | 450, 20 |
-/// |  | phosphor_nm, phosphor_fwhm_nm | Gaussian on a scale of wavenumbers: steeper on the blue side | 560, 120 |
+/// |  | phosphor_nm, phosphor_fwhm_nm | peak and full width of its power per nm, a Gaussian on a scale of
+/// wavenumbers: steeper on the blue side | 560, 120 |
 /// |  | blue_share | of the radiant power | 0.3 |
 /// | rgb | peaks_nm, fwhm_nm, powers | three peaks: centers, widths, radiant powers | [630, 525, 455], [20, 32, 22],
 /// [1, 1, 1] | | equal_energy |  | the same power at every wavelength | |

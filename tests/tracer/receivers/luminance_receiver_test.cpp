@@ -34,7 +34,7 @@ TEST(LuminanceReceiver, ScoresTheConeAndTheActiveArea) {
 }
 
 TEST(LuminanceReceiver, RefusesImpossibleCones) {
-  EXPECT_THROW(LuminanceReceiver(kCells, 0.0), core::Error);
+  EXPECT_THROW(LuminanceReceiver(kCells, -0.1), core::Error);
   EXPECT_THROW(LuminanceReceiver(kCells, 2.0), core::Error);
   EXPECT_THROW(LuminanceReceiver(kCells, 0.5, 1.1), core::Error);  // below the horizon
   EXPECT_THROW(LuminanceReceiver(kCells, 0.5, -0.1), core::Error);
@@ -87,7 +87,7 @@ TEST(LuminanceReceiver, TiltedConeIsNormalizedExactly) {
     constexpr int kDraws = 300;  // a grid of the two numbers: no noise
     for (int i = 0; i < kDraws; ++i) {
       for (int j = 0; j < kDraws; ++j) {
-        const View view = receiver.sample_view((i + 0.5) / kDraws, (j + 0.5) / kDraws);
+        const View view = receiver.sample_view({3.5, 3.5, 0.6}, (i + 0.5) / kDraws, (j + 0.5) / kDraws);
         EXPECT_TRUE(receiver.score({Side::kTop, {3.5, 3.5, 0.6}, view.k, false}));
         weights += view.weight / (kDraws * kDraws);
         weighted += view.weight * view.k.z() / (kDraws * kDraws);
@@ -96,6 +96,111 @@ TEST(LuminanceReceiver, TiltedConeIsNormalizedExactly) {
     EXPECT_NEAR(weights, 1.0, 1e-4) << polar_deg;
     EXPECT_NEAR(weighted, cosine, 2e-3) << polar_deg;
   }
+}
+
+/// The projected solid angle of a pupil by a sum over rings of the disk, for near and far, small and wide pupils.
+TEST(Pupil, ProjectedSolidAngle) {
+  struct Case {
+    double aside, height, radius;
+  };
+  for (const Case& c : {Case{0, 500, 2}, {300, 500, 2}, {3, 10, 20}, {25, 10, 20}, {20, 10, 20}, {4, 2, 0.5}}) {
+    const Pupil pupil{{7.0 + c.aside, 3.0, 0.6 + c.height}, c.radius, 0.6};
+    double sum = 0.0;
+    constexpr int kSteps = 600;
+    for (int i = 0; i < kSteps; ++i) {
+      for (int j = 0; j < kSteps; ++j) {
+        const double r = c.radius * (i + 0.5) / kSteps, phi = 2.0 * core::kPi * (j + 0.5) / kSteps;
+        const double d2 =
+            std::pow(c.aside + r * std::cos(phi), 2) + std::pow(r * std::sin(phi), 2) + c.height * c.height;
+        sum += c.height * c.height / (d2 * d2) * r * c.radius / kSteps * 2.0 * core::kPi / kSteps;
+      }
+    }
+    EXPECT_NEAR(pupil.projected_solid_angle({7, 3, 0.6}) / sum, 1.0, 2e-5) << c.aside << " " << c.height;
+  }
+  EXPECT_NEAR(Pupil({{0, 0, 1e5}, 0.05, 0.0}).projected_solid_angle({0, 0, 0}) / (core::kPi * 2.5e-13), 1.0, 1e-12);
+}
+
+TEST(Pupil, RefusesImpossibleOnes) {
+  EXPECT_THROW(LuminanceReceiver(kCells, Pupil{{5, 3, 100}, 0.0, 0.6}), core::Error);
+  EXPECT_THROW(LuminanceReceiver(kCells, Pupil{{5, 3, 0.6}, 1.0, 0.6}), core::Error);
+}
+
+TEST(Pupil, CountsLightThatComesIn) {
+  const LuminanceReceiver receiver(kCells, Pupil{{5, 3, 10.6}, 2.0, 0.6});
+  const auto seen = [&](double x, double y) {  // through this point of the pupil's plane, from (3.5, 3.5)
+    return receiver.score({Side::kTop, {3.5, 3.5, 0.6}, core::Vec3(x - 3.5, y - 3.5, 10.0).normalized(), false});
+  };
+  ASSERT_TRUE(seen(5, 3));
+  EXPECT_EQ(seen(5, 3)->bin, 5U);
+  EXPECT_TRUE(seen(6.99, 3));
+  EXPECT_FALSE(seen(7.01, 3));
+  EXPECT_FALSE(seen(3.5, 4.5));
+  EXPECT_FALSE(receiver.score({Side::kTop, {3.5, 3.5, 0.6}, {0, 0, 1}, true}));
+  EXPECT_FALSE(receiver.score({Side::kBottom, {3.5, 3.5, 0.6}, {0, 0, -1}, false}));
+}
+
+/// A Lambertian plane, seen through pupils near and far, has the same luminance in every cell, though the light that
+/// comes in from the edge is a tenth of that of the center. False alarm 1e-3 for all cells and pupils together.
+TEST(Pupil, LambertianScreenIsEvenlyBright) {
+  const char* const pupils[] = {"{distance_mm: 20, diameter_mm: 20}",
+                                "{distance_mm: 20, diameter_mm: 20, at: [25, 20]}",
+                                "{distance_mm: 10, diameter_mm: 30, at: [5, 5]}"};
+  for (const char* pupil : pupils) {
+    const tests::Traced traced(
+        "size: {length_mm: 20, width_mm: 20}, sources: [{kind: lambertian_face, face: bottom, flux_lm: 400}], "
+        "receivers: [{kind: luminance, cells: [3, 3], pupil: " +
+            std::string(pupil) + "}]",
+        {400'000, 1, 100, 1});
+    const LuminanceMap map = traced.map();
+    for (std::size_t i = 0; i < 9; ++i) {
+      const double z = (map.luminance.values[i] - 1e6 / core::kPi) / map.standard_error.values[i];
+      EXPECT_LT(std::abs(z), tests::z_limit(1e-3, 27)) << pupil << " " << i;
+    }
+  }
+}
+
+/// Through a sheet of glass, cell by cell: the transmittance of the sheet in the direction of the pupil. The mean over
+/// the pupil is taken here with numbers of its own, for a sheet without absorption: T = mean of (1 - R) / (1 + R) over
+/// s and p.
+TEST(Pupil, DirectionOfViewVariesOverTheDisplay) {
+  constexpr double kIndex = 1.8, kHeight = 100.0, kRadius = 40.0;
+  const auto transmittance = [&](double cos_i) {
+    const double cos_t = std::sqrt(1.0 - (1.0 - cos_i * cos_i) / (kIndex * kIndex));
+    const double s = std::pow((cos_i - kIndex * cos_t) / (cos_i + kIndex * cos_t), 2);
+    const double p = std::pow((kIndex * cos_i - cos_t) / (kIndex * cos_i + cos_t), 2);
+    return 0.5 * ((1.0 - s) / (1.0 + s) + (1.0 - p) / (1.0 + p));
+  };
+  const tests::Traced traced(
+      "size: {length_mm: 400, width_mm: 60}, sources: [{kind: lambertian_face, face: bottom, flux_lm: 24000}], films: "
+      "[{kind: sheet, refractive_index: 1.8, thickness_mm: 0.02, gap_mm: 0.02}], receivers: [{kind: luminance, cells: "
+      "[5, 1], margins: {left_mm: 5, right_mm: 5, front_mm: 5, back_mm: 5}, pupil: {distance_mm: 100, diameter_mm: 80, "
+      "at: [24, 30]}}]",
+      {2'000'000, 3, 100, 1});
+  const LuminanceMap map = traced.map();
+  double first = 0.0, last = 0.0;
+  for (int cell = 0; cell < 5; ++cell) {
+    double sum = 0.0, weights = 0.0;
+    constexpr int kSteps = 24;
+    for (int i = 0; i < kSteps * kSteps * kSteps * kSteps; ++i) {
+      const auto step = [&](int n) { return ((i / n) % kSteps + 0.5) / kSteps; };
+      const double x = 5.0 + 78.0 * (cell + step(1)), y = 5.0 + 50.0 * step(kSteps);
+      const double r = kRadius * std::sqrt(step(kSteps * kSteps));
+      const double phi = 2.0 * core::kPi * step(kSteps * kSteps * kSteps);
+      const double a2 = std::pow(24.0 + r * std::cos(phi) - x, 2) + std::pow(30.0 + r * std::sin(phi) - y, 2);
+      const double d2 = a2 + kHeight * kHeight;
+      const Pupil pupil{{24, 30, kHeight}, kRadius, 0.0};
+      sum += transmittance(kHeight / std::sqrt(d2)) / (d2 * d2) / pupil.projected_solid_angle({x, y, 0});
+      weights += 1.0 / (d2 * d2) / pupil.projected_solid_angle({x, y, 0});
+    }
+    const double expected = 1e6 / core::kPi * sum / weights;
+    const auto i = static_cast<std::size_t>(cell);
+    // The rim of the source is seen through the sheet from 0.04 mm aside at most: nothing of the cells within 5 mm.
+    EXPECT_LT(std::abs(map.luminance.values[i] - expected) / map.standard_error.values[i], tests::z_limit(1e-3, 5))
+        << cell << " " << expected << " " << map.luminance.values[i];
+    if (cell == 0) first = expected;
+    if (cell == 4) last = expected;
+  }
+  EXPECT_LT(last, 0.85 * first);
 }
 
 /// A Lambertian source of 200 lm on 200 mm2 has the luminance M / pi in every direction, and a grid of cells shows it

@@ -1,0 +1,176 @@
+#include <algorithm>
+#include <csignal>
+#include <thread>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/app/tiny_run.h"
+
+/// `evenglow batch`: many runs, one summary; what fails does not stop the others, what is done is not done twice.
+namespace evenglow::tests {
+namespace {
+
+using ::testing::HasSubstr;
+
+using Words = std::vector<std::string>;
+
+class Batch : public ::testing::Test {
+ protected:
+  Batch() {
+    std::string text = kTinyRun;
+    text.erase(text.find("variants:"), text.find("trace:") - text.find("variants:"));
+    base_ = text;
+    write_text(folder_ / "tiny.yaml", text);
+  }
+
+  ProgramResult run(Words words) const { return evenglow(words, folder_.path()); }
+  nlohmann::ordered_json summary(const std::string& out) const { return json_of(folder_ / out / "batch.json"); }
+
+  static std::size_t done(const nlohmann::ordered_json& table) {
+    return static_cast<std::size_t>(std::count_if(table["runs"].begin(), table["runs"].end(),
+                                                  [](const auto& row) { return row["status"] == "done"; }));
+  }
+
+  TempFolder folder_;
+  std::string base_;
+};
+
+TEST_F(Batch, EachPointOfASweepHasAFolderAndARow) {
+  write_text(folder_ / "tiny.yaml",
+             base_ + "sweep: {grid: {backlight.microstructure.density: [0.1, 0.2], trace.seed: [1, 2]}}\n");
+  const ProgramResult result = run({"batch", "tiny.yaml", "--simulate", "--quiet"});
+  ASSERT_EQ(result.code, 0) << result.err;
+  EXPECT_THAT(result.out, HasSubstr("4 of 4 runs done\nfiles: out/tiny"));
+  const auto table = summary("out/tiny");
+  ASSERT_EQ(table["runs"].size(), 4u);
+  EXPECT_EQ(table["runs"][3]["name"], "p4_density-0.2_seed-2");
+  EXPECT_EQ(table["runs"][3]["changes"]["trace.seed"], "2");
+  for (const auto& row : table["runs"]) {
+    const auto place = folder_ / "out/tiny" / row["name"].get<std::string>();
+    EXPECT_EQ(row["status"], "done");
+    EXPECT_EQ(json_of(place / "result.json")["final"]["efficiency"], row["final"]["efficiency"]);
+    EXPECT_TRUE(std::filesystem::exists(place / "thumbnail.png"));
+    EXPECT_TRUE(std::filesystem::exists(place / "report.html"));
+  }
+  const std::string csv = file_text(folder_ / "out/tiny/batch.csv");
+  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 5);
+  EXPECT_THAT(csv, HasSubstr("name,file,status,backlight.microstructure.density,trace.seed,rms,"));
+  const std::string page = file_text(folder_ / "out/tiny/batch.html");
+  EXPECT_THAT(page, HasSubstr("src=\"data:image/png;base64,iVBOR"));
+  EXPECT_THAT(page, HasSubstr("href=\"./p4_density-0.2_seed-2/report.html\""));
+}
+
+TEST_F(Batch, ARunOfABatchIsTheRunOfItsOwnCommand) {
+  write_text(folder_ / "tiny.yaml", base_ + "sweep: {list: [{trace.seed: 5}]}\n");
+  ASSERT_EQ(run({"batch", "tiny.yaml", "-o", "all", "--quiet"}).code, 0);
+  ASSERT_EQ(run({"design", "tiny.yaml", "-o", "one", "--set", "trace.seed=5", "--quiet"}).code, 0);
+  auto in_batch = nlohmann::ordered_json::parse(lasting_part(folder_ / "all/p1_seed-5/result.json"));
+  auto alone = nlohmann::ordered_json::parse(lasting_part(folder_ / "one/result.json"));
+  EXPECT_EQ(in_batch["final"], alone["final"]);
+  EXPECT_EQ(in_batch["steps"], alone["steps"]);
+  EXPECT_EQ(file_text(folder_ / "all/p1_seed-5/density.csv"), file_text(folder_ / "one/density.csv"));
+}
+
+TEST_F(Batch, WrongRunsAreToldAndPassed) {
+  write_text(folder_ / "tiny.yaml",
+             base_ + "sweep: {zip: {\"backlight.films[0].haze\": [0.8, 3], trace.seed: [1, 1]}}\n");
+  write_text(folder_ / "broken.yaml", "evenglow: 1\nbacklight: [\n");
+  const ProgramResult result =
+      run({"batch", "tiny.yaml", "broken.yaml", "missing.yaml", "--simulate", "--quiet", "-o", "out"});
+  EXPECT_EQ(result.code, 1);
+  EXPECT_THAT(result.err, HasSubstr("backlight.films[0].haze: must lie in"));
+  EXPECT_THAT(result.err, HasSubstr("broken.yaml:"));
+  EXPECT_THAT(result.err, HasSubstr("missing.yaml"));
+  const auto table = summary("out");
+  ASSERT_EQ(table["runs"].size(), 4u);
+  EXPECT_EQ(done(table), 1u);
+  EXPECT_EQ(table["runs"][1]["status"], "wrong_input");
+  EXPECT_THAT(table["runs"][1]["message"].get<std::string>(), HasSubstr("haze"));
+  EXPECT_EQ(table["runs"][2]["name"], "broken");
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "out" / "broken"));
+}
+
+TEST_F(Batch, WithNothingRightNothingIsWritten) {
+  write_text(folder_ / "broken.yaml", "evenglow: 1\nbacklight: [\n");
+  const ProgramResult result = run({"batch", "broken.yaml", "missing.yaml", "-o", "out"});
+  EXPECT_EQ(result.code, 2);
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "out"));
+}
+
+TEST_F(Batch, ARunThatFailsDoesNotStopTheOthers) {
+  // Nothing passes a reflector at the top: the design cannot start.
+  write_text(folder_ / "tiny.yaml",
+             base_ + "sweep: {list: [{backlight.reflectors.top: {kind: mirror}}, {trace.seed: 3}]}\n");
+  const ProgramResult result = run({"batch", "tiny.yaml", "-o", "out", "--quiet"});
+  EXPECT_EQ(result.code, 1) << result.err;
+  const auto table = summary("out");
+  EXPECT_EQ(table["runs"][0]["status"], "failed");
+  EXPECT_THAT(table["runs"][0]["message"].get<std::string>(), HasSubstr("no light reached"));
+  EXPECT_EQ(table["runs"][1]["status"], "done");
+}
+
+TEST_F(Batch, AnInterruptedBatchGoesOnAndMakesNothingTwice) {
+  write_text(folder_ / "tiny.yaml", base_ + "sweep: {grid: {trace.seed: [1, 2, 3, 4]}}\n");
+  const Words words = {"batch", "tiny.yaml", "-o", "out", "--simulate", "--photons", "4e5"};
+  Program program(words_of(EVENGLOW_PROGRAM, words), folder_.path());
+  const auto first = folder_ / "out" / "p1_seed-1" / "result.json";
+  while (program.is_running() && !std::filesystem::exists(first)) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  program.send(SIGINT);
+  EXPECT_EQ(program.wait(60).code, 130);
+  const std::size_t before = done(summary("out"));
+  EXPECT_GE(before, 1u);
+  ASSERT_LT(before, 4u);
+  const auto written = std::filesystem::last_write_time(first);
+  EXPECT_EQ(run(words).code, 2) << "a batch is not begun anew unasked";
+  Words resume = words;
+  resume.push_back("--resume");
+  const ProgramResult result = run(resume);
+  EXPECT_EQ(result.code, 0) << result.err;
+  EXPECT_THAT(result.err, HasSubstr("p1_seed-1: done before"));
+  EXPECT_EQ(std::filesystem::last_write_time(first), written);
+  EXPECT_EQ(done(summary("out")), 4u);
+}
+
+TEST_F(Batch, AResumedBatchMakesChangedRunsAnew) {
+  write_text(folder_ / "tiny.yaml", base_ + "sweep: {grid: {trace.seed: [1, 2]}}\n");
+  ASSERT_EQ(run({"batch", "tiny.yaml", "-o", "out", "--simulate", "--quiet"}).code, 0);
+  const ProgramResult other = run({"batch", "tiny.yaml", "-o", "out", "--simulate", "--resume", "--photons", "3e4"});
+  EXPECT_EQ(other.code, 0) << other.err;
+  EXPECT_THAT(other.err, ::testing::Not(HasSubstr("done before")));
+  EXPECT_EQ(summary("out")["runs"][0]["final"]["photons"], 30000);
+}
+
+TEST_F(Batch, ADamagedSummaryIsRefused) {
+  ASSERT_EQ(run({"batch", "tiny.yaml", "-o", "out", "--simulate", "--quiet"}).code, 0);
+  write_text(folder_ / "out" / "batch.json", "{\"format\": \"evenglow-batch/1\", \"runs\": 3}");
+  const ProgramResult result = run({"batch", "tiny.yaml", "-o", "out", "--simulate", "--resume"});
+  EXPECT_EQ(result.code, 2);
+  EXPECT_THAT(result.err, HasSubstr("out/batch.json: is no summary of a batch"));
+}
+
+TEST_F(Batch, ProgressForProgramsIsJson) {
+  const ProgramResult result = run({"design", "tiny.yaml", "-o", "out", "--json-progress"});
+  ASSERT_EQ(result.code, 0) << result.err;
+  bool step = false;
+  for (const std::string& line : result.err_lines()) {
+    const auto json = nlohmann::json::parse(line, nullptr, false);
+    ASSERT_FALSE(json.is_discarded()) << line;
+    step = step || (json["event"] == "step" && json.contains("rms_corrected_se"));
+  }
+  EXPECT_TRUE(step);
+}
+
+TEST_F(Batch, HostileNamesStayText) {
+  write_text(folder_ / "tiny.yaml", base_ + "title2: x\n");
+  write_text(folder_ / "<img src=x onerror=alert(1)>.yaml", base_);
+  const ProgramResult result =
+      run({"batch", "<img src=x onerror=alert(1)>.yaml", "-o", "out", "--simulate", "--quiet"});
+  ASSERT_EQ(result.code, 0) << result.err;
+  EXPECT_THAT(file_text(folder_ / "out/batch.html"), ::testing::Not(HasSubstr("<img src=x")));
+}
+
+}  // namespace
+}  // namespace evenglow::tests
