@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "core/config/config_node.h"
 
 namespace evenglow::bench {
@@ -30,6 +32,14 @@ constexpr const char* kIdealFilms = R"(
 films:
   - {kind: diffuser, transmittance: 0.88, reflectance: 0.10, haze: 0.95, fwhm_deg: 60, depolarization: 0.3}
   - {kind: dbef, axis_deg: 0}
+)";
+
+constexpr const char* kPrismFilms = R"(
+films:
+  - {kind: diffuser, transmittance: 0.88, reflectance: 0.10, haze: 0.95, fwhm_deg: 60, depolarization: 0.3}
+  - {kind: bef, axis_deg: 0}
+  - {kind: bef, axis_deg: 90}
+  - {kind: dbef, table: dbef.csv, hemispherical: dbef_hemispherical.csv, axis_deg: 0}
 )";
 
 constexpr const char* kSamples = R"(
@@ -68,8 +78,31 @@ std::string luminance_receiver(const std::string& estimator) {
 
 }  // namespace
 
-BenchScene slab_scene() {
-  return compiled(std::string(kSlab) + luminance_receiver("counting"));
+BenchScene bare_slab_scene() {
+  return compiled(
+      "light_guide_plate: {length_mm: 100, width_mm: 60, thickness_mm: 3, refractive_index: 1.4938}\n"
+      "sources: [{kind: lambertian_face, face: left}]\n");
+}
+
+BenchScene scene_with(const SceneOptions& options) {
+  static const char* const kStack[] = {
+      "  - {kind: diffuser, transmittance: 0.88, reflectance: 0.10, haze: 0.95, fwhm_deg: 60, depolarization: 0.3}\n",
+      "  - {kind: bef, axis_deg: 0}\n", "  - {kind: bef, axis_deg: 90}\n", "  - {kind: dbef, axis_deg: 0}\n"};
+  std::string yaml = kSlab;
+  const auto replace = [&yaml](const std::string& from, const std::string& to) {
+    yaml.replace(yaml.find(from), from.size(), to);
+  };
+  replace("thickness_mm: 3", fmt::format("thickness_mm: {}", options.thickness));
+  replace("cells: [100, 60]", fmt::format("cells: [{}, {}]", options.nx, options.ny));
+  if (options.films > 0) yaml += "films:\n";
+  for (int i = 0; i < options.films; ++i) yaml += kStack[i];
+  BenchScene bench = compiled(yaml + luminance_receiver("counting"));
+  for (double& density : bench.density.cells.values) density *= options.density;
+  return bench;
+}
+
+BenchScene slab_scene(const std::string& estimator) {
+  return compiled(std::string(kSlab) + luminance_receiver(estimator));
 }
 
 BenchScene film_scene(const std::string& estimator) {
@@ -78,6 +111,10 @@ BenchScene film_scene(const std::string& estimator) {
 
 BenchScene ideal_film_scene(const std::string& estimator) {
   return compiled(std::string(kSlab) + kIdealFilms + luminance_receiver(estimator));
+}
+
+BenchScene prism_scene(const std::string& estimator) {
+  return compiled(std::string(kSlab) + kPrismFilms + luminance_receiver(estimator));
 }
 
 tracer::BacklightSpec film_samples() {

@@ -55,6 +55,18 @@ void luminance_estimators(benchmark::State& state) {
   compare_estimators(state, counting, next_event);
 }
 
+void luminance_estimators_slab(benchmark::State& state) {
+  static const BenchScene counting = slab_scene("counting");
+  static const BenchScene next_event = slab_scene("next_event");
+  compare_estimators(state, counting, next_event);
+}
+
+void luminance_estimators_prisms(benchmark::State& state) {
+  static const BenchScene counting = prism_scene("counting");
+  static const BenchScene next_event = prism_scene("next_event");
+  compare_estimators(state, counting, next_event);
+}
+
 void luminance_estimators_ideal(benchmark::State& state) {
   static const BenchScene counting = ideal_film_scene("counting");
   static const BenchScene next_event = ideal_film_scene("next_event");
@@ -86,6 +98,8 @@ void five_seeds(benchmark::internal::Benchmark* bench) {
 }
 
 BENCHMARK(luminance_estimators)->Apply(five_seeds);
+BENCHMARK(luminance_estimators_slab)->Apply(five_seeds);
+BENCHMARK(luminance_estimators_prisms)->Apply(five_seeds);
 BENCHMARK(luminance_estimators_ideal)->Apply(five_seeds);
 BENCHMARK(threads)->Iterations(1)->Repetitions(5)->Unit(benchmark::kSecond)->MeasureProcessCPUTime();
 

@@ -1,39 +1,13 @@
-#include "bench/cpu_time.h"
 #include "bench/unpolarized_face.h"
+#include "bench/walker.h"
 #include "bench/yardstick.h"
 #include <benchmark/benchmark.h>
-
-#include "tracer/transport/photon_history.h"
 
 namespace evenglow::bench {
 namespace {
 
-constexpr std::uint64_t kPhotons = 500;  // of one slice, some milliseconds
-
-/// Photons of one scene, traced slice by slice.
-class Walker {
- public:
-  explicit Walker(const BenchScene& bench) : history_(bench.scene, bench.density), sums_(bench.scene) {}
-
-  void slice() {
-    seconds_ += cpu_seconds_of([&] {
-      for (std::uint64_t i = 0; i < kPhotons; ++i) history_.run({}, photons_ + i, sums_);
-    });
-    photons_ += kPhotons;
-  }
-  double seconds_per_event() const { return seconds_ / sums_.events[0]; }
-  double seconds_per_photon() const { return seconds_ / static_cast<double>(photons_); }
-  double events_per_photon() const { return sums_.events[0] / static_cast<double>(photons_); }
-
- private:
-  tracer::PhotonHistory history_;
-  tracer::BatchSums sums_;
-  std::uint64_t photons_ = 0;
-  double seconds_ = 0.0;
-};
-
 void walk(benchmark::State& state, MeasuredScene& scene) {
-  Walker walker(scene.bench);
+  GeneralWalker walker(scene.bench);
   scene.yardstick.reset();
   for (auto _ : state) {
     walker.slice();
@@ -49,8 +23,8 @@ void walk(benchmark::State& state, MeasuredScene& scene) {
 /// `scene` against the same with faces that know no polarization.
 void polarization(benchmark::State& state, const BenchScene& scene, BenchScene without) {
   forget_polarization(without);
-  Walker polarized(scene);
-  Walker unpolarized(without);
+  GeneralWalker polarized(scene);
+  GeneralWalker unpolarized(without);
   for (auto _ : state) {
     polarized.slice();
     unpolarized.slice();

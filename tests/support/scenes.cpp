@@ -38,6 +38,7 @@ tracer::TraceResult run(const tracer::Scene& scene, const tracer::DensityField& 
   options.batches = setup.batches;
   options.key.seed = setup.seed;
   options.threads = setup.threads;
+  options.path = setup.path;
   auto result = tracer::trace(scene, density, options);
   core::expects(result.has_value(), "nobody stops the trace of a test");
   return std::move(*result);

@@ -31,6 +31,7 @@ struct TraceSetup {
   std::uint64_t seed = 1;
   std::size_t batches = 100;
   int threads = 1;
+  tracer::TracePath path = tracer::TracePath::kAuto;
 };
 
 /// A backlight and what a trace of it gave.

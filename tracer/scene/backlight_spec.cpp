@@ -6,6 +6,7 @@
 
 #include "core/base/units.h"
 #include "tracer/films/film_registry.h"
+#include "tracer/microstructure/pattern_face.h"
 #include "tracer/scene/cell_keys.h"
 #include "tracer/scene/density_file.h"
 #include "tracer/scene/plate_keys.h"
@@ -46,7 +47,7 @@ std::optional<MicrostructureSpec> read_microstructure(const ConfigNode& backligh
   if (!backlight.has("microstructure")) return std::nullopt;
   const ConfigNode node = backlight.map("microstructure", "the pattern that throws the light out of the plate");
   MicrostructureSpec spec;
-  spec.face = read_side(node, {"face", "patterned face", {"bottom", "top"}, "bottom"});
+  spec.face = read_pattern_on_top(node) ? Side::kTop : Side::kBottom;
   std::tie(spec.nx, spec.ny) = read_cells(node, {96, 48});
   spec.density = node.number(
       {"density", "share of the area under microstructure at the start, every cell", Range::closed(0, 1), 0.1});

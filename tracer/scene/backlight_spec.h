@@ -47,11 +47,19 @@ struct MicrostructureSpec {
   Microstructure shape;
 };
 
+/// The pupil of an eye or a camera that looks at the display: a disk parallel to it, mm.
+struct PupilSpec {
+  double distance = 0.0;  ///< of its center from the top of the backlight
+  double diameter = 0.0;
+  double x = 0.0, y = 0.0;  ///< of its center
+};
+
 struct LuminanceReceiverSpec {
   core::CellGrid cells;                   ///< active area, mm
   double cone = 10.0 * core::kRadPerDeg;  ///< half angle, rad
   double polar = 0.0;                     ///< of the cone's axis from the normal, rad
   double azimuth = 0.0;                   ///< of the cone's axis from +x towards +y, rad
+  std::optional<PupilSpec> pupil;         ///< then neither cone nor its axis counts
   LuminanceEstimator estimator = LuminanceEstimator::kNextEvent;
 };
 

@@ -13,14 +13,9 @@ std::pair<int, int> read_cells(const ConfigNode& node, std::pair<int, int> fallb
                                    Range::closed(1, 4096),
                                    2,
                                    2,
-                                   {{static_cast<double>(fallback.first), static_cast<double>(fallback.second)}}});
+                                   {{static_cast<double>(fallback.first), static_cast<double>(fallback.second)}},
+                                   true});
   if (cells.size() != 2) return fallback;
-  for (const double n : cells) {
-    if (n != static_cast<int>(n)) {
-      node.fault_at("cells", fmt::format("must be whole numbers, got {}", n));
-      return fallback;
-    }
-  }
   if (cells[0] * cells[1] > 1e6) {
     node.fault_at("cells", fmt::format("must not be more than 1000000 cells in all, got {}", cells[0] * cells[1]));
     return fallback;

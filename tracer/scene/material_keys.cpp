@@ -11,8 +11,8 @@
 
 #include "core/base/error.h"
 #include "core/base/units.h"
-#include "core/light/cie_1931.h"
 #include "core/config/csv_numbers.h"
+#include "core/light/cie_1931.h"
 
 namespace evenglow::tracer {
 namespace {
@@ -41,8 +41,9 @@ struct Curve {
 
 Curve read_curve(const std::filesystem::path& file, std::string_view name, std::string_view allowed,
                  const Range& range) {
-  const std::array<core::CsvColumn, 2> columns{core::CsvColumn{"wavelength_nm", "a wavelength in [100, 10000] nm", 100.0, 10000.0},
-                                         core::CsvColumn{name, allowed, range.min, range.max}};
+  const std::array<core::CsvColumn, 2> columns{
+      core::CsvColumn{"wavelength_nm", "a wavelength in [100, 10000] nm", 100.0, 10000.0},
+      core::CsvColumn{name, allowed, range.min, range.max}};
   const core::CsvNumbers rows = core::CsvNumbers::read(file, columns);
   Curve curve;
   for (std::size_t i = 0; i < rows.rows(); ++i) {
@@ -62,6 +63,14 @@ std::optional<Law> read_sellmeier(const ConfigNode& node) {
   const auto c = node.numbers({"c_um2", "squares of the resonance wavelengths, um^2", Range::closed(0, 1e4), 1, 6, {}});
   if (b.size() != c.size()) {
     node.fault_at("c_um2", fmt::format("must have as many numbers as b ({}), got {}", b.size(), c.size()));
+    return {};
+  }
+  constexpr double kLow = core::kShortestVisible * core::kShortestVisible * 1e-6;
+  constexpr double kHigh = core::kLongestVisible * core::kLongestVisible * 1e-6;
+  for (const double square : c) {
+    if (square < kLow || square > kHigh) continue;
+    node.fault_at("c_um2", fmt::format("must not have a resonance between 380 and 780 nm ({:g} to {:g} um^2), got {:g}",
+                                       kLow, kHigh, square));
     return {};
   }
   return [b, c](double nm) {

@@ -34,15 +34,21 @@ core::CellGrid active_area(const ConfigNode& node, const Box& area, std::pair<in
   return core::CellGrid::over(cells.first, cells.second, x0, y0, x1, y1);
 }
 
-/// What the topmost scattering film sends to the viewer must not be shut off by a sheet above it, nor turned aside by a
-/// prism film or a sheet that scatters in its bulk.
+/// Is there something that scatters light towards the viewer, on a level that paths from the viewer reach?
 bool next_event_works(const BacklightSpec& spec) {
   if (spec.reflectors[static_cast<std::size_t>(Side::kTop)]) return false;
-  const auto decides = [](const Film& film) {
-    return film.surface ? film.surface->scatters() || film.surface->redirects() : film.sheet->scattering.has_value();
-  };
-  const auto top = std::find_if(spec.films.rbegin(), spec.films.rend(), decides);
-  return top != spec.films.rend() && top->surface && top->surface->scatters() && !top->surface->redirects();
+  for (auto film = spec.films.rbegin(); film != spec.films.rend(); ++film) {
+    if (film->surface && film->surface->scatters()) return true;
+    // Little gets through it unscattered, and what it scatters is counted.
+    if (film->sheet && film->sheet->scattering) return false;
+  }
+  const bool level_bottom = !spec.plate || spec.plate->thickness == spec.plate->end_thickness;
+  const auto& bottom = spec.reflectors[static_cast<std::size_t>(Side::kBottom)];
+  if (level_bottom && bottom && bottom->surface->scatters()) return true;
+  if (!spec.microstructure || (spec.microstructure->face == Side::kBottom && !level_bottom)) return false;
+  constexpr double kAnyIndex = 1.5;
+  const auto& optics = spec.microstructure->shape.optics;  // empty after a fault of its kind
+  return optics && optics(kAnyIndex)->scatters();
 }
 
 void read_direction(const ConfigNode& node, BacklightSpec& spec) {
@@ -68,24 +74,53 @@ void read_direction(const ConfigNode& node, BacklightSpec& spec) {
   }
 }
 
+/// Where the viewer's eye or camera is. A pupil decides the direction of view by itself.
+void read_pupil(const ConfigNode& node, BacklightSpec& spec) {
+  const ConfigNode pupil = node.map("pupil", "pupil of an eye or a camera before the display, instead of a cone");
+  if (!pupil.present()) return;
+  for (const char* key : {"cone_deg", "direction_deg"}) {
+    if (node.has(key)) node.fault_at(key, "must be left out beside a pupil, got both");
+  }
+  const core::CellGrid& area = spec.luminance.cells;
+  PupilSpec read;
+  read.distance = pupil.number({"distance_mm", "from the top of the backlight", Range::closed(10, 100000), {}});
+  read.diameter = pupil.number({"diameter_mm", "of the pupil", Range::closed(0.1, 1000), {}});
+  const auto at = pupil.numbers({"at",
+                                 "the pupil is before this point x, y (mm); by default the center of the active area",
+                                 Range::closed(-100000, 100000),
+                                 2,
+                                 2,
+                                 {{area.x0 + 0.5 * area.nx * area.dx, area.y0 + 0.5 * area.ny * area.dy}}});
+  read.x = at[0];
+  read.y = at[1];
+  spec.luminance.pupil = read;
+}
+
 void read_luminance(const ConfigNode& node, BacklightSpec& spec) {
   const core::CellGrid& whole = spec.luminance.cells;
   spec.luminance.cells = active_area(node, spec.area, read_cells(node, {whole.nx, whole.ny}));
-  spec.luminance.cone = node.number(
-      {"cone_deg", "half angle of the viewing cone", Range::closed(0.5, 90), spec.luminance.cone / core::kRadPerDeg});
+  spec.luminance.cone = node.number({"cone_deg", "half angle of the viewing cone; 0: one direction, not for counting",
+                                     Range::closed(0, 90), spec.luminance.cone / core::kRadPerDeg});
   read_direction(node, spec);
+  read_pupil(node, spec);
   const std::string estimator =
       node.choice({"estimator",
-                   "how the luminance is estimated: at the topmost scattering film, by counting, or what fits",
+                   "how the luminance is estimated: as what each scatter is expected to send to the viewer, by "
+                   "counting, or what fits",
                    {"auto", "next_event", "counting"},
                    "auto"});
   if (estimator == "next_event" && spec.luminance.estimator == LuminanceEstimator::kCounting) {
     node.fault_at("estimator",
-                  "next_event needs a film that scatters (diffuser or a dbef with a table), and above it neither a "
-                  "prism film nor a "
-                  "reflector at the top");
+                  "next_event needs something that scatters (a diffuser, a dbef with a table, printed dots, a white "
+                  "bottom), and above it neither a sheet that scatters in its bulk nor a reflector at the top");
   }
   if (estimator == "counting") spec.luminance.estimator = LuminanceEstimator::kCounting;
+  constexpr double kLeastCounted = 0.5;
+  const double cone = spec.luminance.cone / core::kRadPerDeg;
+  if (!spec.luminance.pupil && spec.luminance.estimator == LuminanceEstimator::kCounting && cone < kLeastCounted) {
+    node.fault_at("cone_deg",
+                  fmt::format("must be at least {:g} where photons are counted, got {:g}", kLeastCounted, cone));
+  }
 }
 
 void read_angular(const ConfigNode& node, BacklightSpec& spec) {

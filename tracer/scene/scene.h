@@ -36,8 +36,7 @@ struct Surface {
   const Bsdf* pattern = nullptr;  ///< microstructure that the density field rules, or null
   int part = 0;                   ///< who absorbs, index in the energy account
   int pattern_part = 0;
-  int body = -1;                     ///< the dielectric body that this face bounds, -1: none
-  bool is_viewed_scatterer = false;  ///< the topmost scattering film, where the next-event estimate is made
+  int body = -1;  ///< the dielectric body that this face bounds, -1: none
   std::vector<SurfaceWindow> windows;
   /// The wall of a wedge: only where `trim_normal` . p >= trim_offset; zero normal: everywhere.
   core::Vec3 trim_normal = core::Vec3::Zero();
@@ -55,17 +54,10 @@ struct Body {
   std::optional<VolumeScattering> scattering{};
 };
 
-/// Specular films between the viewed scatterer and the viewer, from below: a thin surface, or a sheet.
-struct ViewedFilm {
-  const Bsdf* surface = nullptr;
-  std::optional<DielectricSheet> sheet;
-};
-
 /// All that the wavelength decides, for one band of wavelengths.
 struct SceneOptics {
   std::vector<Surface> surfaces;  ///< of each quad
   std::vector<Body> bodies;
-  std::vector<ViewedFilm> viewed_films;
   std::vector<std::unique_ptr<const Bsdf>> owned;  ///< what was made for this wavelength
 };
 

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "tracer/scene/scene.h"
+#include "tracer/transport/viewer_pool.h"
 
 namespace evenglow::tracer {
 
@@ -15,6 +16,7 @@ struct BatchSums {
   std::vector<double> energy;       ///< luminous weight of photons (1 each with one wavelength)
   std::vector<double> angular;      ///< as energy
   std::vector<double> events{0.0};  ///< surface interactions
+  ViewerPools viewer;               ///< what the next-event estimate joins scatters to
 
   explicit BatchSums(const Scene& scene)
       : luminance(scene.luminance.bins()),

@@ -1,97 +1,322 @@
 #include "tracer/transport/next_event.h"
 
 #include <cmath>
-
-#include <Eigen/LU>
+#include <limits>
 
 #include "tracer/optics/dielectric_face.h"
+#include "tracer/optics/opaque_reflector.h"
+#include "tracer/transport/reversed_bsdf.h"
+#include "tracer/transport/surface_frame.h"
 
 namespace evenglow::tracer {
 namespace {
 
-using core::MuellerMatrix;
+using core::Vec2;
 using core::Vec3;
 
-/// Transmission upwards and reflection of light from above (k mirrored) and from below.
-struct Layer {
-  MuellerMatrix up;
-  MuellerMatrix reflect_below;
-  MuellerMatrix reflect_above;
-  MuellerMatrix down;
-};
+/// Subpaths of a pool, scatters that share it, and arrivals that each scatter is joined to: found by figure of merit
+/// (docs/performance.md). More scatters make the maps hardly worse, but the mean luminance.
+constexpr std::size_t kSubpaths = 32;
+constexpr std::size_t kScatters = 400;
+constexpr std::size_t kLeastJoined = 2, kMostJoined = 8;
+/// What an estimate of the pattern that may not be met counts of a scatter.
+constexpr std::size_t kPatternPart = 4;
 
-Layer layer_of(const ViewedFilm& film, const Vec3& k) {
-  if (film.sheet) {
-    const Bsdf::Specular s =
-        incoherent_sheet(k.z(), film.sheet->refractive_index, film.sheet->absorption, film.sheet->thickness);
-    return {s.transmission, s.reflection, s.reflection, s.transmission};
-  }
-  const Bsdf::Specular up = film.surface->specular(k);
-  const Bsdf::Specular down = film.surface->specular({k.x(), k.y(), -k.z()});
-  return {up.transmission, up.reflection, down.reflection, down.transmission};
+double brdf_of(const Bsdf* surface) {
+  if (dynamic_cast<const OpaqueReflector*>(surface) == nullptr) return -1.0;
+  const auto light = core::StokesVector::unpolarized(1.0, core::PolarizationFrame::any(Vec3(0, 0, -1)));
+  return surface->evaluate(light, Vec3(0, 0, 1)).I;
 }
 
 }  // namespace
 
-NextEvent::NextEvent(const Scene& scene) : scene_(scene) {}
-
-MuellerMatrix NextEvent::transmission(const Vec3& k, std::size_t band) const {
-  const std::vector<ViewedFilm>& films = scene_.optics[band].viewed_films;
-  // Adding method: the lower stack (T upwards, R for light from above) below one more film.
-  MuellerMatrix T = MuellerMatrix::Identity();
-  MuellerMatrix R = MuellerMatrix::Zero();
-  for (std::size_t i = 0; i < films.size(); ++i) {
-    const Layer film = layer_of(films[i], k);
-    if (i == 0) {
-      T = film.up;
-      R = film.reflect_above;
-      continue;
+NextEvent::NextEvent(const Scene& scene, const DensityField& density)
+    : scene_(scene),
+      density_(density),
+      levels_(scene),
+      subpath_(scene, levels_),
+      active_(scene.spec.luminance.estimator == LuminanceEstimator::kNextEvent),
+      inner_min_(scene.spec.area.min.head<2>()),
+      inner_max_(scene.spec.area.max.head<2>()),
+      outer_min_(scene.box.min.head<2>()),
+      outer_max_(scene.box.max.head<2>()) {
+  for (const ViewerLevel& level : levels_.all()) {
+    if (!level.outer) continue;
+    outer_min_ = {level.min_x, level.min_y};
+    outer_max_ = {level.max_x, level.max_y};
+  }
+  find_walls();
+  for (const double share : density.cells.values) {
+    density_per_estimate_.push_back(share > 0.0 ? share / estimates(-std::log1p(-share)) : 0.0);
+  }
+  for (std::size_t band = 0; band < scene.optics.size(); ++band) {
+    pattern_level_.push_back(-1);
+    for (int level = 0; level <= levels_.top(); ++level) {
+      optics_.push_back(level_optics(level, band));
+      const Bsdf* pattern = optics_.back().pattern;
+      if (pattern != nullptr && pattern->scatters()) pattern_level_.back() = level;
     }
-    const MuellerMatrix many = (MuellerMatrix::Identity() - R * film.reflect_below).inverse();
-    T = film.up * many * T;
-    R = film.reflect_above + film.up * many * R * film.down;
   }
-  return T;
 }
 
-Vec3 NextEvent::display_position(const Vec3& position, const Vec3& k, std::size_t band) const {
-  double height = scene_.box.max.z() - position.z();
-  Vec3 shift = Vec3::Zero();
-  const double sin2 = 1.0 - k.z() * k.z();
-  for (const ViewedFilm& film : scene_.optics[band].viewed_films) {
-    if (!film.sheet) continue;
-    const double n = film.sheet->refractive_index;
-    height -= film.sheet->thickness;
-    shift += film.sheet->thickness / std::sqrt(n * n - sin2) * Vec3(k.x(), k.y(), 0.0);
+NextEvent::LevelOptics NextEvent::level_optics(int level, std::size_t band) const {
+  const SceneOptics& scene = scene_.optics[band];
+  const Surface& surface = scene.surfaces[static_cast<std::size_t>(levels_[level].quad)];
+  const auto per_n2 = [&](int body) {
+    const double n = body >= 0 ? scene.bodies[static_cast<std::size_t>(body)].refractive_index : 1.0;
+    return 1.0 / (n * n);
+  };
+  return {surface.optics,
+          surface.pattern,
+          brdf_of(surface.optics),
+          brdf_of(surface.pattern),
+          per_n2(levels_[level].body_above),
+          per_n2(level > 0 ? levels_[level - 1].body_above : -1)};
+}
+
+bool NextEvent::meet(Coverage& coverage, const Meeting& meeting, BatchSums& sums) const {
+  if (!active_) return false;
+  const int level = levels_.of_quad(meeting.quad);
+  if (level < 0 || !levels_[level].holds(meeting.position)) {
+    const int wall = level < 0 ? wall_of_quad_[static_cast<std::size_t>(meeting.quad)] : -1;
+    if (wall >= 0 && meeting.light.frame.k.z() > 0.0) {
+      const auto& surfaces = scene_.optics[meeting.band].surfaces;
+      meet_wall(coverage, wall, to_world(surfaces[static_cast<std::size_t>(meeting.quad)], meeting.light.frame.k),
+                meeting.band);
+    } else {
+      coverage = {};
+    }
+    return false;
   }
-  return position + height / k.z() * k + shift;
-}
-
-bool NextEvent::in_front(const Vec3& seen) const {
-  const Box& box = scene_.box;
-  return seen.x() >= box.min.x() && seen.x() <= box.max.x() && seen.y() >= box.min.y() && seen.y() <= box.max.y();
-}
-
-bool NextEvent::sees(const Vec3& position, const Vec3& k, std::size_t band) const {
-  return k.z() > 0.0 && in_front(display_position(position, k, band));
-}
-
-std::optional<Score> NextEvent::score(const Bsdf& surface, const core::StokesVector& light, const Vec3& position,
-                                      std::size_t band, core::PhotonRng& rng) const {
-  const double u1 = rng.uniform();
-  const auto [k, weight] = scene_.luminance.sample_view(u1, rng.uniform());
-  const Vec3 seen = display_position(position, k, band);
-  if (!in_front(seen)) return {};
-  const int bin = scene_.luminance.cells().index_at(seen.x(), seen.y());
-  if (bin < 0) return {};
-  const core::StokesVector scattered = surface.evaluate(light, k);
-  if (scattered.I <= 0.0) return {};
-  double power = scattered.I;
-  if (!scene_.optics[band].viewed_films.empty()) {
-    const Eigen::Vector4d s = to_film(scattered, tangential_frame(k));
-    power = transmission(k, band).row(0).dot(s);
+  coverage.straight = false;
+  if (std::abs(level - coverage.level) != 1) coverage.covered = false;
+  coverage.level = level;
+  const LevelOptics& optics = optics_of(level, meeting.band);
+  const bool comes_to_pattern = level == pattern_level_[meeting.band] && meeting.light.frame.k.z() > 0.0;
+  if (comes_to_pattern && meeting.told != PatternTold::kMet) {
+    if (meeting.told == PatternTold::kEach) arrive_at_pattern(meeting, sums);
+    return &meeting.optics == optics.pattern;
   }
-  return Score{static_cast<std::size_t>(bin), power * weight};
+  if (!meeting.optics.scatters()) return false;
+  const bool is_base = &meeting.optics == optics.base;
+  if (is_base && !levels_[level].windowed && !levels_[level].primary && coverage.covered) return false;
+  const double brdf = is_base ? optics.base_brdf : &meeting.optics == optics.pattern ? optics.pattern_brdf : -1.0;
+  estimate(meeting, level, brdf, 1, sums);
+  return true;
+}
+
+void NextEvent::arrive_at_pattern(const Meeting& meeting, BatchSums& sums) const {
+  const double density = density_.at(meeting.position.x(), meeting.position.y());
+  if (number(meeting.band, sums) >= estimates(-std::log1p(-density))) return;
+  const Bsdf& pattern = *optics_of(pattern_level_[meeting.band], meeting.band).pattern;
+  estimate_pattern({meeting.quad, pattern, meeting.light, meeting.position, meeting.band, meeting.weight}, sums);
+}
+
+void NextEvent::estimate_pattern(const Meeting& meeting, BatchSums& sums) const {
+  const int level = pattern_level_[meeting.band];
+  const int cell = density_.cells.grid.nearest_index(meeting.position.x(), meeting.position.y());
+  const Vec3 weight = density_per_estimate_[static_cast<std::size_t>(cell)] * meeting.weight;
+  estimate({meeting.quad, meeting.optics, meeting.light, meeting.position, meeting.band, weight}, level,
+           optics_of(level, meeting.band).pattern_brdf, kPatternPart, sums);
+}
+
+void NextEvent::leave(Coverage& coverage, const Meeting& meeting, bool estimated, bool specular) const {
+  if (!active_ || coverage.level < 0 || levels_.of_quad(meeting.quad) < 0) return;
+  const LevelOptics& optics = optics_of(coverage.level, meeting.band);
+  if (estimated && !specular) {
+    const bool dot_in_plate =
+        &meeting.optics == optics.pattern && optics.pattern_brdf >= 0.0 && meeting.light.frame.k.z() > 0.0;
+    coverage = {true, coverage.level, meeting.position.head<2>(), reach(meeting.position), dot_in_plate, 0};
+    return;
+  }
+  // The pattern's and the windows' own ways with light are not part of the subpaths.
+  const bool is_base = &meeting.optics == optics.base;
+  if (!is_base || levels_[coverage.level].windowed) coverage.covered = false;
+}
+
+/// Total reflection leaves the natural light of a dot natural, so that the wall shows a mirror image of the dot.
+void NextEvent::meet_wall(Coverage& coverage, int side, const Vec3& k, std::size_t band) const {
+  const int axis = side / 2;
+  const unsigned pair = 1U << static_cast<unsigned>(axis);
+  const bool kept = coverage.covered && coverage.straight && (coverage.walls & pair) == 0 &&
+                    smooth_wall_[static_cast<std::size_t>(side)] && reflects_totally(k, axis, band);
+  if (!kept) coverage = {};
+  coverage.walls |= pair;
+}
+
+void NextEvent::find_walls() {
+  wall_of_quad_.assign(scene_.caster->quads().size(), -1);
+  int body = -1;
+  for (const ViewerLevel& level : levels_.all()) {
+    if (level.patterned && level.body_above >= 0) body = level.body_above;  // the bottom: then the top is a level too
+  }
+  for (const SceneOptics& band : scene_.optics) {
+    plate_index_.push_back(body >= 0 ? band.bodies[static_cast<std::size_t>(body)].refractive_index : 0.0);
+  }
+  if (body < 0) return;
+  const auto& surfaces = scene_.optics.front().surfaces;
+  for (std::size_t quad = 0; quad < surfaces.size(); ++quad) {
+    const Surface& face = surfaces[quad];
+    if (face.body != body || dynamic_cast<const DielectricFace*>(face.optics) == nullptr || !face.windows.empty())
+      continue;
+    for (int side = 0; side < 4; ++side) {
+      if (face.normal.dot(outward(static_cast<Side>(side))) < 1.0 - 1e-12) continue;
+      wall_of_quad_[quad] = side;
+      smooth_wall_[static_cast<std::size_t>(side)] = true;
+    }
+  }
+}
+
+bool NextEvent::covers(const Coverage& coverage, const Vec3& position) const {
+  return coverage.covered && coverage.level == levels_.top() &&
+         (position.head<2>() - coverage.origin).squaredNorm() <= coverage.reach * coverage.reach;
+}
+
+bool NextEvent::inside(const ViewerArrival& arrival, const Vec2& at) const {
+  const auto in = [&at](const PlaceRange& range, const Vec2& low, const Vec2& high) {
+    return at.x() + range.min.x() >= low.x() && at.x() + range.max.x() <= high.x() &&
+           at.y() + range.min.y() >= low.y() && at.y() + range.max.y() <= high.y();
+  };
+  return in(arrival.inner, inner_min_, inner_max_) && in(arrival.outer, outer_min_, outer_max_);
+}
+
+/// What of the light on this way meets the smooth part of the patterned face each time.
+double NextEvent::open_share(const ViewerArrivals& arrivals, const ViewerArrival& arrival, const Vec2& at) const {
+  double share = 1.0;
+  for (std::size_t i = 0; i < arrival.crossings; ++i) {
+    const Vec2 place = at + arrivals.crossings[arrival.first_crossing + i];
+    share *= 1.0 - density_.at(place.x(), place.y());
+  }
+  return share;
+}
+
+/// importance . scattered light, 1/sr.
+double NextEvent::scattered_power(const Meeting& meeting, const ViewerArrival& arrival, double brdf) const {
+  if (brdf >= 0.0) return brdf * meeting.light.I * arrival.importance.I;
+  const Surface& surface = scene_.optics[meeting.band].surfaces[static_cast<std::size_t>(meeting.quad)];
+  const core::StokesVector scattered =
+      meeting.optics.evaluate(meeting.light, to_local(surface, arrival.importance.frame.k));
+  return scattered.I > 0.0 ? joined(arrival.importance, to_world(surface, scattered)) : 0.0;
+}
+
+void NextEvent::renew(ViewerPool& pool, std::size_t band) const {
+  pool.refill().clear();
+  for (std::size_t i = 0; i < kSubpaths; ++i) {
+    const double u1 = pool.rng().uniform();
+    const View view = scene_.luminance.sample_view(Vec3::Zero(), u1, pool.rng().uniform());
+    subpath_.add(view, band, pool.rng(), pool.refill());
+  }
+  pool.renewed(kSubpaths);
+  set_joins(pool);
+}
+
+/// Where light from one place leaves all over many cells, more joins spread it better.
+void NextEvent::set_joins(ViewerPool& pool) const {
+  const core::CellGrid& cells = scene_.luminance.cells();
+  for (std::size_t list = 0; list < pool.arrivals().lists.size(); ++list) {
+    const auto& arrivals = pool.arrivals().lists[list];
+    double squares = 0.0;
+    for (const ViewerArrival& arrival : arrivals) squares += arrival.display.squaredNorm();
+    const double spread = arrivals.empty() ? 0.0 : squares / static_cast<double>(arrivals.size());
+    const double wanted = static_cast<double>(kLeastJoined) + 4.0 * spread / cells.cell_area();
+    pool.set_joins(list, static_cast<std::size_t>(std::min(wanted, static_cast<double>(kMostJoined))));
+  }
+}
+
+/// A pupil is seen from each place in another direction, so that subpaths cannot be shared.
+void NextEvent::renew_for(const Meeting& meeting, ViewerPool& pool) const {
+  pool.refill().clear();
+  const Vec3 above(meeting.position.x(), meeting.position.y(), scene_.box.max.z());
+  const double u1 = pool.rng().uniform();
+  const View view = scene_.luminance.sample_view(above, u1, pool.rng().uniform(), reach(meeting.position));
+  subpath_.add(view, meeting.band, pool.rng(), pool.refill());
+  pool.renewed(1);
+}
+
+/// Light that leaves farther aside is counted: a wide reach would mean that few directions meet the pupil.
+double NextEvent::reach(const Vec3& position) const {
+  if (!scene_.luminance.pupil()) return std::numeric_limits<double>::infinity();
+  const Vec3 way = scene_.luminance.pupil()->center - position;
+  const double depth = scene_.box.max.z() - position.z();
+  return depth * (1.0 + way.head<2>().norm() / way.z());
+}
+
+void NextEvent::estimate(const Meeting& meeting, int level, double brdf, std::size_t part, BatchSums& sums) const {
+  ViewerPool& pool = pool_of(meeting.band, sums);
+  if (scene_.luminance.pupil()) {
+    renew_for(meeting, pool);
+  } else if (pool.spent(part, kScatters)) {
+    renew(pool, meeting.band);
+  }
+  if (brdf < 0.0) {
+    join(meeting, ViewerArrivals::list(level, false), brdf, part, pool, sums);
+    join(meeting, ViewerArrivals::list(level, true), brdf, part, pool, sums);
+    return;
+  }
+  const Surface& surface = scene_.optics[meeting.band].surfaces[static_cast<std::size_t>(meeting.quad)];
+  const bool upward = meeting.light.frame.k.z() * surface.normal.z() < 0.0;
+  join(meeting, ViewerArrivals::list(level, upward), brdf, part, pool, sums);
+}
+
+void NextEvent::join(const Meeting& meeting, std::size_t list, double brdf, std::size_t part, ViewerPool& pool,
+                     BatchSums& sums) const {
+  const std::size_t count = pool.arrivals().lists[list].size();
+  if (count == 0) return;
+  const std::size_t joins = std::min(count, std::max<std::size_t>(1, 2 * pool.joins(list) / (1 + part)));
+  const LevelOptics& optics = optics_of(static_cast<int>(list / 2), meeting.band);
+  const double scale = static_cast<double>(count) / static_cast<double>(pool.subpaths() * joins) *
+                       (list % 2 != 0 ? optics.per_n2_above : optics.per_n2_below);
+  const bool with_images = brdf >= 0.0 && &meeting.optics == optics.pattern && list % 2 != 0;
+  std::array<Anchor, 4> places;
+  const std::size_t place_count = anchors(meeting.position.head<2>(), with_images, meeting.band, places);
+  for (std::size_t i = 0; i < joins; ++i) {
+    const ViewerArrival& arrival = pool.next(list);
+    double power = -1.0;  // not known yet
+    for (std::size_t a = 0; a < place_count; ++a) {
+      const Anchor& anchor = places[a];
+      if (!inside(arrival, anchor.place)) continue;
+      const Vec3& k = arrival.importance.frame.k;
+      if (anchor.x && !reflects_totally(k, 0, meeting.band)) continue;
+      if (anchor.y && !reflects_totally(k, 1, meeting.band)) continue;
+      if (power < 0.0) power = scale * scattered_power(meeting, arrival, brdf);
+      score(meeting, arrival, anchor.place, power, pool, sums);
+    }
+  }
+}
+
+/// The scatter itself first. Light of a dot comes from an image of it only if it meets the wall on its way up.
+std::size_t NextEvent::anchors(const Vec2& at, bool with_images, std::size_t band, std::array<Anchor, 4>& all) const {
+  all[0] = {at};
+  if (!with_images || plate_index_[band] <= 1.0) return 1;
+  const Box& plate = scene_.spec.area;
+  // Light that gets out comes up within the critical angle.
+  const double n = plate_index_[band];
+  const double farthest = (plate.max.z() - plate.min.z()) / std::sqrt(n * n - 1.0);
+  std::size_t count = 1;
+  for (int axis = 0; axis < 2; ++axis) {
+    const bool lower = at[axis] - plate.min[axis] < plate.max[axis] - at[axis];
+    const double wall = lower ? plate.min[axis] : plate.max[axis];
+    const int side = 2 * axis + (lower ? 0 : 1);
+    if (std::abs(at[axis] - wall) > farthest || !smooth_wall_[static_cast<std::size_t>(side)]) continue;
+    for (std::size_t i = 0, so_far = count; i < so_far; ++i) {
+      Anchor image = all[i];
+      image.place[axis] = 2.0 * wall - at[axis];
+      (axis == 0 ? image.x : image.y) = true;
+      all[count++] = image;
+    }
+  }
+  return count;
+}
+
+void NextEvent::score(const Meeting& meeting, const ViewerArrival& arrival, const Vec2& anchor, double factor,
+                      const ViewerPool& pool, BatchSums& sums) const {
+  const Vec2 seen = anchor + arrival.display;
+  const double reach_here = reach(meeting.position);
+  if ((seen - meeting.position.head<2>()).squaredNorm() > reach_here * reach_here) return;
+  const auto counted = scene_.luminance.score_view({seen.x(), seen.y(), scene_.box.max.z()}, arrival.view);
+  if (!counted) return;
+  const double open = arrival.crossings > 0 ? open_share(pool.arrivals(), arrival, anchor) : 1.0;
+  sums.add_luminance({counted->bin, counted->weight * open * factor}, meeting.weight);
 }
 
 }  // namespace evenglow::tracer

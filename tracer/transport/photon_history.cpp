@@ -2,34 +2,23 @@
 
 #include <cmath>
 
+#include "tracer/transport/surface_frame.h"
+
 namespace evenglow::tracer {
 namespace {
 
 using core::StokesVector;
 using core::Vec3;
 
-Vec3 to_local(const Surface& surface, const Vec3& v) {
-  return {surface.x.dot(v), surface.y.dot(v), surface.normal.dot(v)};
-}
-
-Vec3 to_world(const Surface& surface, const Vec3& v) {
-  return v.x() * surface.x + v.y() * surface.y + v.z() * surface.normal;
-}
-
-// Made anew component by component: a copy whose frame is then overwritten waits for the stores of its maker.
-StokesVector to_local(const Surface& surface, const StokesVector& s) {
-  return {s.I, s.Q, s.U, s.V, {to_local(surface, s.frame.k), to_local(surface, s.frame.e1)}};
-}
-
-StokesVector to_world(const Surface& surface, const StokesVector& s) {
-  return {s.I, s.Q, s.U, s.V, {to_world(surface, s.frame.k), to_world(surface, s.frame.e1)}};
-}
-
 /// Rounding of k and e1 grows from event to event unless it is taken out; by so little that every eighth time will do.
 constexpr int kEventsPerRenormalization = 8;
 
 /// Flights not longer than this (mm) end where they began.
 constexpr double kSamePoint = 1e-9;
+
+bool parallel(const Vec3& a, const Vec3& b) {
+  return std::abs(a.dot(b)) > 1.0 - 1e-9;
+}
 
 void renormalize(core::PolarizationFrame& frame) {
   frame.k *= 1.5 - 0.5 * frame.k.squaredNorm();
@@ -43,7 +32,7 @@ PhotonHistory::PhotonHistory(const Scene& scene, const DensityField& density)
     : scene_(scene),
       quads_(scene.optics.front().surfaces),
       density_(density),
-      next_event_(scene),
+      next_event_(scene, density),
       faces_(scene.optics.front().bodies.size()) {
   for (std::size_t quad = 0; quad < quads_.size(); ++quad) {
     const int body = quads_[quad].body;
@@ -54,6 +43,7 @@ PhotonHistory::PhotonHistory(const Scene& scene, const DensityField& density)
 void PhotonHistory::run(const core::RandomKey& key, std::uint64_t photon_index, BatchSums& sums) const {
   core::PhotonRng rng(key, photon_index);
   Walk walk = start(rng);
+  walk.told = NextEvent::PatternTold::kEach;
   for (int events = 0; events < kMaxEvents; ++events) {
     sums.events[0] += 1.0;
     if (!step(walk, rng, sums)) return;
@@ -109,7 +99,10 @@ RayHit PhotonHistory::next_hit(const Walk& walk) const {
     return scene_.caster->exit_of(faces, photon.position, photon.light.frame.k, photon.quad);
   }
   const RayHit hit = scene_.caster->nearest(photon.position, photon.light.frame.k, photon.quad);
-  const bool back_into_corner = hit.quad >= 0 && hit.quad == walk.corner && hit.distance <= kSamePoint;
+  // Two quads that touch all over (a sheet's side and the wall) are no corner: light goes from one to the other.
+  const bool back_into_corner = hit.quad >= 0 && hit.quad == walk.corner && hit.distance <= kSamePoint &&
+                                !parallel(quads_[static_cast<std::size_t>(hit.quad)].normal,
+                                          quads_[static_cast<std::size_t>(photon.quad)].normal);
   if (consistent(photon, hit) && !back_into_corner) return hit;
   // A trimmed wall that was met where it is cut off is passed.
   const bool beyond_trim = hit.quad >= 0 && quads_[static_cast<std::size_t>(hit.quad)].is_trimmed();
@@ -140,7 +133,7 @@ void PhotonHistory::escape(const Walk& walk, BatchSums& sums) const {
   const int axis = axis_of(crossing.side);
   const double distance = (scene_.box.plane(crossing.side) - photon.position[axis]) / crossing.k[axis];
   crossing.position = photon.position + (std::isfinite(distance) ? distance : 0.0) * crossing.k;
-  crossing.estimated = walk.estimated;
+  crossing.estimated = next_event_.covers(walk.coverage, crossing.position);
   const double flux = walk.weight.y();
   if (const auto score = scene_.luminance.score(crossing)) sums.add_luminance(*score, walk.weight);
   if (const auto score = scene_.energy.score(crossing)) sums.energy[score->bin] += score->weight * flux;
@@ -159,7 +152,7 @@ bool PhotonHistory::scatters_within(Walk& walk, const Body& body, double distanc
   if (++walk.events % kEventsPerRenormalization == 0) renormalize(photon.light.frame);
   photon.quad = -1;
   walk.corner = -1;
-  walk.estimated = false;
+  walk.coverage = {};
   return true;
 }
 
@@ -196,21 +189,18 @@ PhotonHistory::Flight PhotonHistory::fly(Walk& walk, double distance, core::Phot
   return scattered ? Flight::kScattered : Flight::kArrived;
 }
 
-void PhotonHistory::estimate(const Walk& walk, const Bsdf& optics, const StokesVector& light, const Vec3& position,
-                             core::PhotonRng& rng, BatchSums& sums) const {
-  for (int i = 0; i < NextEvent::kDirections; ++i) {
-    if (const auto score = next_event_.score(optics, light, position, walk.band, rng)) {
-      sums.add_luminance({score->bin, score->weight / NextEvent::kDirections}, walk.weight);
-    }
-  }
+bool PhotonHistory::interact(Walk& walk, const RayHit& hit, core::PhotonRng& rng, BatchSums& sums) const {
+  const Surface& surface = scene_.optics[walk.band].surfaces[static_cast<std::size_t>(hit.quad)];
+  return interact(walk, hit, meet(surface, hit.position, rng), rng, sums);
 }
 
-bool PhotonHistory::interact(Walk& walk, const RayHit& hit, core::PhotonRng& rng, BatchSums& sums) const {
+bool PhotonHistory::interact(Walk& walk, const RayHit& hit, const Encounter& encounter, core::PhotonRng& rng,
+                             BatchSums& sums) const {
   Photon& photon = walk.photon;
   const Surface& surface = scene_.optics[walk.band].surfaces[static_cast<std::size_t>(hit.quad)];
-  const Encounter encounter = meet(surface, hit.position, rng);
   const StokesVector light = to_local(surface, photon.light);
-  if (surface.is_viewed_scatterer) estimate(walk, *encounter.optics, light, hit.position, rng, sums);
+  const NextEvent::Meeting meeting{hit.quad, *encounter.optics, light, hit.position, walk.band, walk.weight, walk.told};
+  const bool estimated = next_event_.meet(walk.coverage, meeting, sums);
   const double k_before = light.frame.k.z();
   const auto sample = encounter.optics->sample(light, rng);
   if (!sample) {
@@ -218,11 +208,7 @@ bool PhotonHistory::interact(Walk& walk, const RayHit& hit, core::PhotonRng& rng
     return false;
   }
   const bool crosses = k_before * sample->light.frame.k.z() > 0.0;
-  if (surface.is_viewed_scatterer) {
-    walk.estimated = !sample->specular && next_event_.sees(hit.position, sample->light.frame.k, walk.band);
-  } else if (!sample->specular) {
-    walk.estimated = false;
-  }
+  next_event_.leave(walk.coverage, meeting, estimated, sample->specular);
   photon.light = to_world(surface, sample->light);
   if (++walk.events % kEventsPerRenormalization == 0) renormalize(photon.light.frame);
   if (!std::isfinite(photon.light.frame.k.sum() + photon.light.Q + photon.light.U + photon.light.V)) {

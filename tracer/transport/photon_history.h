@@ -22,11 +22,12 @@ class PhotonHistory {
   /// A photon between two events.
   struct Walk {
     Photon photon;
-    double optical_depth = 0.0;  ///< left until bulk absorption
-    int events = 0;              ///< survived so far
-    int corner = -1;             ///< the quad met before the photon's last, if both were met at one point; else -1
-    bool estimated = false;      ///< the last event was a scatter whose way out was estimated
-    std::size_t band = 0;        ///< its wavelength
+    double optical_depth = 0.0;    ///< left until bulk absorption
+    int events = 0;                ///< survived so far
+    int corner = -1;               ///< the quad met before the photon's last, if both were met at one point; else -1
+    NextEvent::Coverage coverage;  ///< is its way to the viewer estimated?
+    NextEvent::PatternTold told = NextEvent::PatternTold::kMet;
+    std::size_t band = 0;                    ///< its wavelength
     core::Vec3 weight = core::Vec3::Ones();  ///< X, Y, Z that it carries (`SpectralBands::Choice`)
   };
   /// A photon as it leaves its source.
@@ -34,16 +35,28 @@ class PhotonHistory {
   /// One flight and one interaction, added to `sums`; false: the history has ended.
   bool step(Walk& walk, core::PhotonRng& rng, BatchSums& sums) const;
 
-  /// More events than this end a history as stuck.
-  static constexpr int kMaxEvents = 1000000;
+  // What a step is made of, for paths that find the next hit in a way of their own.
 
- private:
   /// The optics that a photon meets at a point of a surface.
   struct Encounter {
     const Bsdf* optics = nullptr;
     int part = 0;
   };
+  enum class Flight { kArrived, kScattered, kAbsorbed };
+  /// The way through the bulk to a surface at `distance`: the photon may be absorbed or scattered on it.
+  Flight fly(Walk& walk, double distance, core::PhotonRng& rng, BatchSums& sums) const;
+  /// What the surface that was hit does to the photon; false: the history has ended.
+  bool interact(Walk& walk, const RayHit& hit, core::PhotonRng& rng, BatchSums& sums) const;
+  /// The same where what is met there is known already.
+  bool interact(Walk& walk, const RayHit& hit, const Encounter& encounter, core::PhotonRng& rng, BatchSums& sums) const;
+  /// Adds a photon that meets nothing more.
+  void escape(const Walk& walk, BatchSums& sums) const;
+  const NextEvent& next_event() const { return next_event_; }
 
+  /// More events than this end a history as stuck.
+  static constexpr int kMaxEvents = 1000000;
+
+ private:
   Walk emit(core::PhotonRng& rng) const;
   /// Does the photon scatter in the bulk of its body within `distance`? Then it is turned there.
   bool scatters_within(Walk& walk, const Body& body, double distance, core::PhotonRng& rng) const;
@@ -56,15 +69,6 @@ class PhotonHistory {
   bool can_meet(const Photon& photon, int quad) const;
   bool consistent(const Photon& photon, const RayHit& hit) const;
   Encounter meet(const Surface& surface, const core::Vec3& position, core::PhotonRng& rng) const;
-  void escape(const Walk& walk, BatchSums& sums) const;
-  enum class Flight { kArrived, kScattered, kAbsorbed };
-  /// The way through the bulk to a surface at `distance`: the photon may be absorbed or scattered on it.
-  Flight fly(Walk& walk, double distance, core::PhotonRng& rng, BatchSums& sums) const;
-  /// What the surface that was hit does to the photon; false: the history has ended.
-  bool interact(Walk& walk, const RayHit& hit, core::PhotonRng& rng, BatchSums& sums) const;
-  /// Adds what the scatterer is expected to send to the viewer. `light`: in the frame of its surface.
-  void estimate(const Walk& walk, const Bsdf& optics, const core::StokesVector& light, const core::Vec3& position,
-                core::PhotonRng& rng, BatchSums& sums) const;
 
   const Scene& scene_;
   const std::vector<Surface>& quads_;  ///< surfaces of the first wavelength: where they lie is the same for all

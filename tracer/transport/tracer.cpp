@@ -9,6 +9,7 @@
 #include "core/base/error.h"
 #include "core/montecarlo/batches.h"
 #include "tracer/transport/photon_history.h"
+#include "tracer/transport/planar_history.h"
 
 namespace evenglow::tracer {
 namespace {
@@ -30,9 +31,69 @@ void check_lost(const Scene& scene, const TraceResult& result) {
   }
 }
 
+/// The layers, where the planar path is to be taken.
+std::optional<PlanarScene> planar_layers(const Scene& scene, TracePath path) {
+  if (path == TracePath::kGeneral) return std::nullopt;
+  std::string reason;
+  auto layers = PlanarScene::of(scene, &reason);
+  if (!layers && path == TracePath::kPlanar) {
+    throw core::Error(
+        fmt::format("trace.path: planar is for parallel layers over a flat plate, and this backlight is not of that "
+                    "kind: {}; allowed "
+                    "here: auto, general",
+                    reason));
+  }
+  return layers;
+}
+
+using BatchResults = std::vector<std::unique_ptr<BatchSums>>;
+
+/// The batches, empty if it was stopped.
+template <typename History>
+BatchResults traced_batches(const Scene& scene, const History& history, const TraceOptions& options) {
+  BatchResults sums(options.batches);
+  std::mutex progress_mutex;
+  std::uint64_t done = 0;
+  const bool complete = core::run_batches(
+      options.batches, options.threads,
+      [&](std::size_t batch) {
+        const core::BatchRange range = core::batch_range(batch, options.batches, options.photons);
+        auto mine = std::make_unique<BatchSums>(scene);
+        mine->viewer.seed(options.key, range.first);
+        for (std::uint64_t i = 0; i < range.count; ++i) {
+          // A long batch must not keep the user waiting after Ctrl-C.
+          if (i % 4096 == 0 && options.stop.stop_requested()) return;
+          history.run(options.key, range.first + i, *mine);
+        }
+        sums[batch] = std::move(mine);
+        const std::lock_guard lock(progress_mutex);
+        done += range.count;
+        if (options.progress) options.progress(done);
+      },
+      options.stop);
+  if (!complete || options.stop.stop_requested()) sums.clear();
+  return sums;
+}
+
 }  // namespace
 
+bool takes_planar_path(const Scene& scene, TracePath path) {
+  return planar_layers(scene, path).has_value();
+}
+
 TraceSpec read_trace(const core::ConfigNode& node) {
+  TraceSpec spec = read_photons(node);
+  const std::string path =
+      node.choice({"path",
+                   "how flights are found: in closed form between parallel layers (planar), by ray "
+                   "tracing (general), or planar where the backlight allows it (auto)",
+                   {"auto", "planar", "general"},
+                   "auto"});
+  spec.path = path == "planar" ? TracePath::kPlanar : path == "general" ? TracePath::kGeneral : TracePath::kAuto;
+  return spec;
+}
+
+TraceSpec read_photons(const core::ConfigNode& node) {
   TraceSpec spec;
   spec.photons = static_cast<std::uint64_t>(node.count(
       {"photons", "photons of the final trace, and of the largest design step", 1000, 1'000'000'000'000, 20'000'000}));
@@ -49,27 +110,10 @@ std::uint64_t whole_batches(std::uint64_t photons, std::size_t batches) {
 }
 
 std::optional<TraceResult> trace(const Scene& scene, const DensityField& density, const TraceOptions& options) {
-  std::vector<std::unique_ptr<BatchSums>> sums(options.batches);
-  const PhotonHistory history(scene, density);
-  std::mutex progress_mutex;
-  std::uint64_t done = 0;
-  const bool complete = core::run_batches(
-      options.batches, options.threads,
-      [&](std::size_t batch) {
-        const core::BatchRange range = core::batch_range(batch, options.batches, options.photons);
-        auto mine = std::make_unique<BatchSums>(scene);
-        for (std::uint64_t i = 0; i < range.count; ++i) {
-          // A long batch must not keep the user waiting after Ctrl-C.
-          if (i % 4096 == 0 && options.stop.stop_requested()) return;
-          history.run(options.key, range.first + i, *mine);
-        }
-        sums[batch] = std::move(mine);
-        const std::lock_guard lock(progress_mutex);
-        done += range.count;
-        if (options.progress) options.progress(done);
-      },
-      options.stop);
-  if (!complete || options.stop.stop_requested()) return std::nullopt;
+  const auto layers = planar_layers(scene, options.path);
+  BatchResults sums = layers ? traced_batches(scene, PlanarHistory(scene, *layers, density), options)
+                             : traced_batches(scene, PhotonHistory(scene, density), options);
+  if (sums.empty()) return std::nullopt;
   TraceResult result{options.photons,
                      scene.flux,
                      core::Tally(scene.luminance.bins()),

@@ -13,14 +13,21 @@
 
 namespace evenglow::tracer {
 
+/// How flights are found. `kPlanar`: in closed form, for a stack of parallel layers (`PlanarScene`); `kGeneral`: by ray
+/// tracing, for any scene; `kAuto`: planar where the scene allows it. The physics is the same.
+enum class TracePath { kAuto, kPlanar, kGeneral };
+
 /// How a backlight is traced; the map `trace` of the run file.
 struct TraceSpec {
   std::uint64_t photons = 20'000'000;  ///< of a trace that judges; rounded up to a multiple of `batches`
   std::uint64_t seed = 1;
   std::size_t batches = 100;  ///< realizations from which the standard errors come
+  TracePath path = TracePath::kAuto;
 };
 
 TraceSpec read_trace(const core::ConfigNode& trace);
+/// The same but for `path`, for what is no backlight.
+TraceSpec read_photons(const core::ConfigNode& trace);
 
 /// The numbers of one trace: a Tally for each receiver.
 struct TraceResult {
@@ -44,13 +51,17 @@ struct TraceOptions {
   int threads = 0;  ///< 0: all
   std::stop_token stop{};
   TraceProgress progress{};
+  TracePath path = TracePath::kAuto;
 };
 
 /// The next multiple of `batches` that is not less than `photons`.
 std::uint64_t whole_batches(std::uint64_t photons, std::size_t batches);
 
+/// Is this scene traced by the planar path? Throws Error if that was asked for and cannot be.
+bool takes_planar_path(const Scene& scene, TracePath path);
+
 /// Traces all photons. Empty if it was stopped. Throws Error if more than 1e-6 of the photons (and more than 10) were
-/// lost.
+/// lost, or if the planar path is asked for and the scene is no stack of parallel layers.
 std::optional<TraceResult> trace(const Scene& scene, const DensityField& density, const TraceOptions& options);
 
 }  // namespace evenglow::tracer

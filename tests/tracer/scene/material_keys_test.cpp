@@ -61,6 +61,9 @@ TEST(MaterialKeys, TablesAreLinearAndHeld) {
 TEST(MaterialKeys, WrongOnesAreRefused) {
   EXPECT_THAT(faults_of("{material: pmma, dispersion: {kind: cauchy, a: 1.5}}"), HasSubstr("dispersion is given"));
   EXPECT_THAT(faults_of("{dispersion: {kind: cauchy, a: 1, b_um2: -1}}"), HasSubstr("must give an index in"));
+  // A pole at 555 nm, between the wavelengths where the index is checked: too narrow to be seen there.
+  EXPECT_THAT(faults_of("{dispersion: {kind: sellmeier, b: [1.22, 0.001], c_um2: [0.0113, 0.308025]}}"),
+              HasSubstr("dispersion.c_um2: must not have a resonance between 380 and 780 nm"));
   EXPECT_THAT(faults_of("{dispersion: {kind: sellmeier, b: [1, 2], c_um2: [0.01]}}"),
               HasSubstr("must have as many numbers as b (2), got 1"));
   EXPECT_THAT(faults_of("{dispersion: {kind: cauchy}}"), HasSubstr("dispersion.a"));

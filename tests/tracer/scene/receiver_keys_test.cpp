@@ -42,6 +42,30 @@ TEST(ReceiverKeys, DirectionOfView) {
   expect_fault("{kind: luminance, direction_deg: [5, 400]}", "direction_deg");
 }
 
+TEST(ReceiverKeys, Pupil) {
+  EXPECT_FALSE(backlight_of(lit("{kind: luminance}")).luminance.pupil);
+  const auto pupil =
+      backlight_of(lit("{kind: luminance, margins: {left_mm: 4}, pupil: {distance_mm: 500, diameter_mm: 5}}"))
+          .luminance.pupil;
+  ASSERT_TRUE(pupil);
+  EXPECT_EQ(pupil->distance, 500.0);
+  EXPECT_EQ(pupil->diameter, 5.0);
+  EXPECT_NEAR(pupil->x, 12.0, 1e-12);  // of the active area
+  EXPECT_NEAR(pupil->y, 5.0, 1e-12);
+  EXPECT_EQ(backlight_of(lit("{kind: luminance, pupil: {distance_mm: 500, diameter_mm: 5, at: [-30, 2]}}"))
+                .luminance.pupil->x,
+            -30.0);
+  expect_fault("{kind: luminance, pupil: {distance_mm: 500}}", "receivers[0].pupil.diameter_mm");
+  expect_fault("{kind: luminance, pupil: {distance_mm: 0, diameter_mm: 5}}", "receivers[0].pupil.distance_mm");
+  expect_fault("{kind: luminance, pupil: {distance_mm: 500, diameter_mm: 0}}", "receivers[0].pupil.diameter_mm");
+  expect_fault("{kind: luminance, pupil: {distance_mm: 500, diameter_mm: 5, at: [1]}}", "receivers[0].pupil.at");
+  expect_fault("{kind: luminance, pupil: 5}", "receivers[0].pupil");
+  expect_fault("{kind: luminance, cone_deg: 5, pupil: {distance_mm: 500, diameter_mm: 5}}",
+               "receivers[0].cone_deg: must be left out beside a pupil");
+  expect_fault("{kind: luminance, direction_deg: [5, 5], pupil: {distance_mm: 500, diameter_mm: 5}}",
+               "receivers[0].direction_deg: must be left out beside a pupil");
+}
+
 TEST(ReceiverKeys, SpotsOfTheAngularReceiver) {
   EXPECT_EQ(backlight_of(lit("{kind: angular}")).angular->spots, 0);
   EXPECT_EQ(backlight_of(lit("{kind: angular, at: all}")).angular->spots, 0);

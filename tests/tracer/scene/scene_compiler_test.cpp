@@ -55,24 +55,6 @@ TEST(SceneCompiler, StackHasItsHeights) {
   ASSERT_EQ(scene.optics[0].bodies.size(), 2U);
   EXPECT_EQ(scene.optics[0].bodies[1].refractive_index, 1.6);
   EXPECT_NEAR(scene.optics[0].bodies[1].absorption, 0.002, 1e-15);
-  // Only the topmost scatterer is viewed; what lies above it is specular.
-  int viewed = 0;
-  for (std::size_t i = 0; i < scene.optics[0].surfaces.size(); ++i) {
-    if (!scene.optics[0].surfaces[i].is_viewed_scatterer) continue;
-    ++viewed;
-    EXPECT_NEAR(scene.caster->quads()[i].corner.z(), 0.6, 1e-12);
-  }
-  EXPECT_EQ(viewed, 1);
-  ASSERT_EQ(scene.optics[0].viewed_films.size(), 2U);
-  EXPECT_TRUE(scene.optics[0].viewed_films[0].sheet);
-  EXPECT_NE(scene.optics[0].viewed_films[1].surface, nullptr);
-}
-
-TEST(SceneCompiler, CountingViewsNoScatterer) {
-  const Scene scene =
-      scene_of(kPlate + kLeds +
-               ", films: [{kind: diffuser}, {kind: diffuser}], receivers: [{kind: luminance, estimator: counting}]");
-  for (const Surface& surface : scene.optics[0].surfaces) EXPECT_FALSE(surface.is_viewed_scatterer);
 }
 
 TEST(SceneCompiler, PatternLiesOnItsFace) {

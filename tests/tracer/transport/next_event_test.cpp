@@ -23,97 +23,169 @@ std::string scene_text(const std::string& films_above, const std::string& receiv
          films_above + "], receivers: [{kind: luminance, " + receiver + "}]";
 }
 
-/// Two films against the sum over all reflections between them, written out order by order.
-TEST(NextEvent, TransmissionHoldsAllOrders) {
-  const Scene scene =
-      scene_of(scene_text(", {kind: dbef, axis_deg: 20, transmittance_pass: 0.8, reflectance_pass: 0.15, "
-                          "transmittance_block: 0.1, reflectance_block: 0.85}"
-                          ", {kind: dbef, axis_deg: 65, transmittance_pass: 0.7, reflectance_pass: 0.2, "
-                          "transmittance_block: 0.05, reflectance_block: 0.9}"));
-  const NextEvent next_event(scene);
-  for (const core::Vec3& k : {travel(0, 0, true), travel(30, 70, true), travel(65, 200, true)}) {
-    const Bsdf& a = *scene.optics[0].viewed_films[0].surface;
-    const Bsdf& b = *scene.optics[0].viewed_films[1].surface;
-    const core::Vec3 down(k.x(), k.y(), -k.z());
-    core::MuellerMatrix sum = core::MuellerMatrix::Zero(), between = a.specular(k).transmission;
-    for (int order = 0; order < 400; ++order) {
-      sum += b.specular(k).transmission * between;
-      between = a.specular(down).reflection * b.specular(k).reflection * between;
+/// A photon that comes from below to the first film of the scene, again and again: the luminance scores of each cell.
+class Scatters {
+ public:
+  explicit Scatters(const std::string& text)
+      : scene_(scene_of(text)), density_(initial_density(scene_.spec)), next_event_(scene_, density_), sums_(scene_) {}
+
+  /// True if it was estimated.
+  bool at(const core::Vec3& position) {
+    const auto light = core::StokesVector::unpolarized(1.0, core::PolarizationFrame::any(travel(50, 0, true)));
+    const core::Vec3 weight = core::Vec3::Ones();
+    const auto& surfaces = scene_.optics[0].surfaces;
+    const Bsdf* film = scene_.spec.films[0].surface.get();
+    int quad = 0;
+    while (surfaces[static_cast<std::size_t>(quad)].optics != film) ++quad;
+    NextEvent::Coverage coverage;
+    return next_event_.meet(coverage, {quad, *film, light, position, 0, weight}, sums_);
+  }
+  const std::vector<double>& scores() const { return sums_.luminance; }
+  double take() {
+    double sum = 0.0;
+    for (double& score : sums_.luminance) {
+      sum += score;
+      score = 0.0;
     }
-    EXPECT_NEAR((next_event.transmission(k, 0) - sum).norm(), 0.0, 1e-9);
+    return sum;
   }
-}
 
-TEST(NextEvent, ThreeSheetsAgreeWithTheClosedForm) {
-  const std::string sheet = ", {kind: sheet, refractive_index: 1.5}";
-  const Scene scene = scene_of(scene_text(sheet + sheet + sheet));
-  for (const double degrees : {0.0, 40.0, 75.0}) {
-    const core::Vec3 k = travel(degrees, 20, true);
-    const core::MuellerMatrix T = NextEvent(scene).transmission(k, 0);
-    const core::FresnelFace face = core::fresnel(k.z(), 1.0, 1.5);
-    const auto stack = [](double R) { return (1.0 - R) / (1.0 + 5.0 * R); };  // 2 N - 1 = 5
-    EXPECT_NEAR(T(0, 0) + T(0, 1), stack(face.reflectance_p()), 1e-12);
-    EXPECT_NEAR(T(0, 0) - T(0, 1), stack(face.reflectance_s()), 1e-12);
-  }
-}
+ private:
+  Scene scene_;
+  DensityField density_;
+  NextEvent next_event_;
+  BatchSums sums_;
+};
 
-/// A Lambertian scatterer: every score is T / pi times what the films above let through at its direction.
+/// A Lambertian scatterer under the open sky and under a polarizer: T / pi times what that lets through.
 TEST(NextEvent, ScoreOfALambertianScatterer) {
-  const Scene bare = scene_of(scene_text(""));
-  const Scene covered = scene_of(scene_text(", {kind: lpp, k1: 0.8, k2: 0.02, reflectance: 0.05}"));
-  core::PhotonRng rng({1, 0, 0}, 0);
-  const auto light = core::StokesVector::unpolarized(1.0, core::PolarizationFrame::any(travel(50, 0, true)));
+  Scatters bare(scene_text(""));
+  Scatters covered(scene_text(", {kind: lpp, k1: 0.8, k2: 0.02, reflectance: 0}"));
   for (int i = 0; i < 100; ++i) {
-    const auto score = NextEvent(bare).score(*bare.spec.films[0].surface, light, {10, 5, 0.05}, 0, rng);
-    ASSERT_TRUE(score);
-    EXPECT_NEAR(score->weight, 0.6 / core::kPi, 1e-14);
-    EXPECT_EQ(score->bin, 0U);
-    const auto through = NextEvent(covered).score(*covered.spec.films[0].surface, light, {10, 5, 0.05}, 0, rng);
-    EXPECT_NEAR(through->weight, 0.6 * 0.41 / core::kPi, 1e-14);
+    EXPECT_TRUE(bare.at({10, 5, 0.05}));
+    EXPECT_NEAR(bare.take(), 0.6 / core::kPi, 1e-14);
+    EXPECT_TRUE(covered.at({10, 5, 0.05}));
+    EXPECT_NEAR(covered.take(), 0.6 * 0.41 / core::kPi, 1e-14);
   }
 }
 
 TEST(NextEvent, OutsideTheActiveAreaNothingIsScored) {
-  const Scene scene = scene_of(scene_text("", "cells: [2, 1], margins: {left_mm: 5}"));
-  core::PhotonRng rng({1, 0, 0}, 0);
-  const auto light = core::StokesVector::unpolarized(1.0, core::PolarizationFrame::any(travel(50, 0, true)));
-  const auto at = [&](double x) {
-    return NextEvent(scene).score(*scene.spec.films[0].surface, light, {x, 5, 0.05}, 0, rng);
-  };
-  EXPECT_FALSE(at(4.9));
-  EXPECT_EQ(at(6.0)->bin, 0U);
-  EXPECT_EQ(at(19.0)->bin, 1U);
+  Scatters scatters(scene_text("", "cells: [2, 1], margins: {left_mm: 5}"));
+  EXPECT_TRUE(scatters.at({4.9, 5, 0.05}));
+  EXPECT_EQ(scatters.take(), 0.0);
+  scatters.at({6.0, 5, 0.05});
+  EXPECT_GT(scatters.scores()[0], 0.0);
+  EXPECT_EQ(scatters.scores()[1], 0.0);
+  scatters.take();
+  scatters.at({19.0, 5, 0.05});
+  EXPECT_EQ(scatters.scores()[0], 0.0);
 }
 
-/// A thick sheet shifts what is seen through it: at the angle t, x + d tan t' (tan t' the refracted angle). The mean
-/// bin over a wide cone is known from the optics alone.
-TEST(NextEvent, SheetsShiftThePlaceThatIsSeen) {
-  const Scene scene = scene_of(scene_text(", {kind: sheet, refractive_index: 1.5, thickness_mm: 3, gap_mm: 1}",
-                                          "cells: [200, 100], cone_deg: 60"));
-  core::PhotonRng rng({20260101, 0, 0}, 0);
-  const auto light = core::StokesVector::unpolarized(1.0, core::PolarizationFrame::any(travel(50, 0, true)));
-  double got = 0.0, got_squares = 0.0;
-  constexpr int kSamples = 50000;
-  for (int i = 0; i < kSamples; ++i) {
-    const auto score = NextEvent(scene).score(*scene.spec.films[0].surface, light, {10.05, 5.05, 0.05}, 0, rng);
-    ASSERT_TRUE(score);
-    const int ix = static_cast<int>(score->bin) % 200, iy = static_cast<int>(score->bin) / 200;
-    const double r2 = std::pow(ix * 0.1 - 10.0, 2) + std::pow(iy * 0.1 - 5.0, 2);
-    got += r2;
-    got_squares += r2 * r2;
+/// A plate with white dots over a white bottom, under a diffuser, and a photon that is led by hand.
+class LedPhoton {
+ public:
+  LedPhoton()
+      : scene_(
+            scene_of("light_guide_plate: {length_mm: 20, width_mm: 10, thickness_mm: 1}, microstructure: {cells: [1, "
+                     "1], density: 0.5}, sources: [{kind: led_row, count: 2}], reflectors: {bottom: {}, right: {}}, "
+                     "films: [{kind: diffuser, haze: 0.5}, {kind: lpp}], receivers: [{kind: luminance, cells: [1, "
+                     "1]}]")),
+        density_(initial_density(scene_.spec)),
+        next_event_(scene_, density_),
+        sums_(scene_) {}
+
+  enum Place { kBottomSheet, kPlateBottom, kPlateTop, kDiffuser, kLpp };
+  /// Meets the level's own optics (or the pattern) and leaves it; true: estimated.
+  bool meet(Place place, bool up, bool specular, bool pattern = false) {
+    const ViewerLevel& level = next_event_.levels()[place];
+    return meet_quad(level.quad, travel(20, 0, up), {10, 5, level.z}, specular, pattern);
   }
-  // sin^2 t is uniform up to sin^2 60; the path is 1 mm of air (the gap) and 3 mm of glass.
-  double expected = 0.0;
-  constexpr int kSteps = 10000;
-  for (int i = 0; i < kSteps; ++i) {
-    const double s2 = 0.75 * (i + 0.5) / kSteps, s = std::sqrt(s2);
-    const double way = s / std::sqrt(1.0 - s2) + 3.0 * s / std::sqrt(2.25 - s2);
-    expected += way * way / kSteps;
+  /// Meets a wall of the plate from inside.
+  void meet_wall(Side side, const core::Vec3& k) { meet_quad(static_cast<int>(side), k, {20, 5, 0.5}, true, false); }
+  bool covered() const { return coverage_.covered; }
+  bool counted_at_exit() const { return !next_event_.covers(coverage_, scene_.box.max); }
+
+ private:
+  bool meet_quad(int quad, const core::Vec3& k, const core::Vec3& position, bool specular, bool pattern) {
+    const Surface& surface = scene_.optics[0].surfaces[static_cast<std::size_t>(quad)];
+    const core::Vec3 local(surface.x.dot(k), surface.y.dot(k), surface.normal.dot(k));
+    const auto light = core::StokesVector::unpolarized(1.0, core::PolarizationFrame::any(local));
+    const core::Vec3 weight = core::Vec3::Ones();
+    const NextEvent::Meeting meeting{quad, pattern ? *surface.pattern : *surface.optics, light, position, 0, weight};
+    const bool estimated = next_event_.meet(coverage_, meeting, sums_);
+    next_event_.leave(coverage_, meeting, estimated, specular);
+    return estimated;
   }
-  const double mean = got / kSamples;
-  const double se = std::sqrt((got_squares / kSamples - mean * mean) / kSamples);
-  EXPECT_LT(std::abs(z_score({mean, se}, expected + 2.0 * 0.01 / 12.0)),
-            two_sided_z(1e-3));  // and the cells' own width
+
+  Scene scene_;
+  DensityField density_;
+  NextEvent next_event_;
+  BatchSums sums_;
+  NextEvent::Coverage coverage_;
+};
+
+/// The rules of docs/theory.md, one by one.
+TEST(NextEvent, CoverageIsKeptFromLevelToLevel) {
+  LedPhoton photon;
+  EXPECT_TRUE(photon.meet(LedPhoton::kPlateBottom, false, false, true));  // a dot
+  EXPECT_TRUE(photon.covered());
+  photon.meet(LedPhoton::kPlateTop, true, true);
+  EXPECT_FALSE(photon.meet(LedPhoton::kDiffuser, true, false));  // covered: no second estimate
+  EXPECT_TRUE(photon.covered());
+  photon.meet(LedPhoton::kLpp, true, true);
+  EXPECT_FALSE(photon.counted_at_exit());
+}
+
+TEST(NextEvent, PrimaryLevelsAlwaysEstimate) {
+  LedPhoton photon;
+  photon.meet(LedPhoton::kPlateBottom, false, false, true);
+  photon.meet(LedPhoton::kPlateTop, true, true);
+  photon.meet(LedPhoton::kPlateBottom, false, true);  // its smooth part
+  EXPECT_TRUE(photon.covered());
+  EXPECT_TRUE(photon.meet(LedPhoton::kBottomSheet, false, false));
+  EXPECT_TRUE(photon.covered());
+}
+
+TEST(NextEvent, UncoveredLightIsEstimatedAtTheNextFilmOrCounted) {
+  LedPhoton straight;
+  straight.meet(LedPhoton::kPlateTop, true, true);
+  EXPECT_TRUE(straight.meet(LedPhoton::kDiffuser, true, true));  // passes without scatter
+  EXPECT_FALSE(straight.covered());
+  straight.meet(LedPhoton::kLpp, true, true);
+  EXPECT_TRUE(straight.counted_at_exit());
+  LedPhoton scattered;
+  scattered.meet(LedPhoton::kPlateTop, true, true);
+  scattered.meet(LedPhoton::kDiffuser, true, false);
+  scattered.meet(LedPhoton::kLpp, true, true);
+  EXPECT_FALSE(scattered.counted_at_exit());
+}
+
+/// From the bottom sheet past the plate to the films, which no path from the viewer does.
+TEST(NextEvent, LeavingOutALevelEndsCoverage) {
+  LedPhoton photon;
+  photon.meet(LedPhoton::kBottomSheet, false, false);
+  EXPECT_TRUE(photon.covered());
+  EXPECT_TRUE(photon.meet(LedPhoton::kDiffuser, true, false));
+  EXPECT_TRUE(photon.covered());  // by its own estimate
+}
+
+TEST(NextEvent, WallsMirrorDotsByTotalReflectionOnly) {
+  const core::Vec3 steep = travel(30, 0, true), flat = travel(80, 0, true);
+  LedPhoton kept;
+  kept.meet(LedPhoton::kPlateBottom, false, false, true);
+  kept.meet_wall(Side::kRight, steep);
+  EXPECT_TRUE(kept.covered());
+  kept.meet_wall(Side::kRight, steep);  // a second time: no image does that
+  EXPECT_FALSE(kept.covered());
+  LedPhoton refracted;
+  refracted.meet(LedPhoton::kPlateBottom, false, false, true);
+  refracted.meet_wall(Side::kRight, flat);
+  EXPECT_FALSE(refracted.covered());
+  LedPhoton late;
+  late.meet(LedPhoton::kPlateBottom, false, false, true);
+  late.meet(LedPhoton::kPlateTop, true, true);  // polarized by now
+  late.meet_wall(Side::kRight, steep);
+  EXPECT_FALSE(late.covered());
 }
 
 }  // namespace

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+#include "tracer/scene/density_field.h"
+
+namespace evenglow::tracer {
+
+/// The density of microstructure in each cell, found without a division.
+class PlanarCells {
+ public:
+  explicit PlanarCells(const DensityField& density)
+      : x0_(density.cells.grid.x0),
+        y0_(density.cells.grid.y0),
+        per_x_(1.0 / density.cells.grid.dx),
+        per_y_(1.0 / density.cells.grid.dy),
+        nx_(density.cells.grid.nx),
+        ny_(density.cells.grid.ny) {
+    for (const double share : density.cells.values) {
+      open_.push_back(1.0 - share);
+      depths_.push_back(-std::log1p(-share));
+    }
+  }
+
+  /// Places in units of cells, and the nearest cell to such a place.
+  double column(double x) const { return (x - x0_) * per_x_; }
+  double row(double y) const { return (y - y0_) * per_y_; }
+  double columns_per(double dx) const { return dx * per_x_; }
+  double rows_per(double dy) const { return dy * per_y_; }
+  std::size_t cell(double column, double row) const {
+    return static_cast<std::size_t>(clamped(static_cast<int>(row), ny_)) * static_cast<std::size_t>(nx_) +
+           static_cast<std::size_t>(clamped(static_cast<int>(column), nx_));
+  }
+
+  /// 1 - density: what of the cell is bare.
+  double open(std::size_t cell) const { return open_[cell]; }
+  /// -ln(1 - density).
+  double depth(std::size_t cell) const { return depths_[cell]; }
+
+ private:
+  static int clamped(int index, int count) { return index < 0 ? 0 : index >= count ? count - 1 : index; }
+
+  double x0_, y0_, per_x_, per_y_;
+  int nx_, ny_;
+  std::vector<double> open_, depths_;
+};
+
+}  // namespace evenglow::tracer
