@@ -14,7 +14,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr const char* kFormat = "evenglow-checkpoint/1";
+constexpr const char* kFormat = "evenglow-checkpoint/2";
 
 json to_json(const core::CellField& field) {
   const core::CellGrid& g = field.grid;
@@ -45,7 +45,11 @@ json to_json(const StepRecord& r) {
           {"mean_density", r.mean_density},
           {"luminance_mean", r.luminance_mean},
           {"cpu_s", r.cpu_s},
-          {"wall_s", r.wall_s}};
+          {"wall_s", r.wall_s},
+          {"noise", r.noise},
+          {"held", {r.held_low, r.held_high}},
+          {"updater", r.updater},
+          {"level_photons", r.level_photons}};
 }
 
 StepRecord step_from(const json& node) {
@@ -62,6 +66,11 @@ StepRecord step_from(const json& node) {
   r.luminance_mean = node.at("luminance_mean").get<double>();
   r.cpu_s = node.at("cpu_s").get<double>();
   r.wall_s = node.at("wall_s").get<double>();
+  r.noise = node.at("noise").get<double>();
+  r.held_low = node.at("held").at(0).get<int>();
+  r.held_high = node.at("held").at(1).get<int>();
+  r.updater = node.at("updater").get<std::string>();
+  r.level_photons = node.at("level_photons").get<std::uint64_t>();
   return r;
 }
 
@@ -78,7 +87,10 @@ json to_json(const std::string& identity, const DesignProgress& progress) {
           {"best_rms", progress.best_rms},
           {"stop_reason", progress.stop_reason},
           {"level_note", progress.level_note},
-          {"limit_notes", progress.limit_notes}};
+          {"level_slope", progress.level_slope},
+          {"limit_notes", progress.limit_notes},
+          {"notes", progress.notes},
+          {"memory", progress.memory}};
 }
 
 DesignProgress progress_from(const json& node) {
@@ -91,7 +103,10 @@ DesignProgress progress_from(const json& node) {
   progress.best_rms = node.at("best_rms").get<double>();
   progress.stop_reason = node.at("stop_reason").get<std::string>();
   progress.level_note = node.at("level_note").get<std::string>();
+  progress.level_slope = node.at("level_slope").get<double>();
   progress.limit_notes = node.at("limit_notes").get<std::vector<std::string>>();
+  progress.notes = node.at("notes").get<std::vector<std::string>>();
+  progress.memory = node.at("memory").get<UpdaterMemory>();
   core::expects(!progress.steps.empty(), "a checkpoint holds at least one step");
   return progress;
 }

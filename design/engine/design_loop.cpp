@@ -7,8 +7,9 @@
 #include <fmt/core.h>
 
 #include "design/engine/level_search.h"
+#include "design/problem/density_limits.h"
 #include "design/problem/merit.h"
-#include "design/updaters/updater.h"
+#include "design/problem/target.h"
 
 namespace evenglow::design {
 namespace {
@@ -16,15 +17,10 @@ namespace {
 constexpr double kSettledLevel = 0.05;
 constexpr double kNoneYet = 1e9;       // worse than any RMS
 constexpr double kRoughlyRight = 0.3;  // RMS below which the level is chosen
-constexpr int kStallSteps = 4;
 constexpr double kStallGain = 0.05;
 constexpr double kWantedError = 0.15;  // of the RMS, over the RMS to reach
-
-/// The Monte Carlo noise of a cell over the mean, as the RMS sees it.
-double noise_of(const StepRecord& record) {
-  const double corrected = record.rms_corrected.value * std::abs(record.rms_corrected.value);
-  return std::sqrt(std::max(0.0, record.rms * record.rms - corrected));
-}
+constexpr double kLevelStep = 1.25;    // largest factor of a correction of the level
+constexpr double kLeastSlope = 0.05;   // below it the efficiency does not hear the level
 
 bool reached(const StepRecord& record, const DesignSpec& spec) {
   return record.rms_corrected.value <= spec.stop_rms + record.rms_corrected.se &&
@@ -36,9 +32,9 @@ bool level_rests(const DesignProgress& progress, const DesignSpec& spec, const P
   return !progress.level_note.empty() && std::abs(std::log(proposal.level_change)) < kSettledLevel;
 }
 
-bool stalled(const std::vector<StepRecord>& steps, const DesignLimits& limits) {
-  if (static_cast<int>(steps.size()) < kStallSteps + 2) return false;
-  const auto recent = steps.end() - kStallSteps;
+bool stalled(const std::vector<StepRecord>& steps, const DesignLimits& limits, int patience) {
+  if (static_cast<int>(steps.size()) < patience + 2) return false;
+  const auto recent = steps.end() - patience;
   if ((recent - 1)->photons < limits.largest_photons) return false;
   const auto less = [](const StepRecord& a, const StepRecord& b) {
     return a.rms_corrected.value < b.rms_corrected.value;
@@ -49,75 +45,178 @@ bool stalled(const std::vector<StepRecord>& steps, const DesignLimits& limits) {
 
 std::uint64_t next_photons(const StepRecord& record, const DesignSpec& spec, const DesignLimits& limits) {
   const double wanted = std::max(record.rms_corrected.value, spec.stop_rms);
-  const bool noisy = noise_of(record) > wanted;
+  const bool noisy = record.noise > wanted;
   const bool unsure = record.rms_corrected.se > kWantedError * wanted;
   const double growth = noisy || unsure ? spec.photon_growth : 1.0;
   return std::min(limits.largest_photons, static_cast<std::uint64_t>(static_cast<double>(record.photons) * growth));
 }
 
-std::string stop_reason(const DesignProgress& progress, const DesignSpec& spec, const DesignLimits& limits,
-                        const Proposal& proposal) {
-  const StepRecord& record = progress.steps.back();
-  if (reached(record, spec) && level_rests(progress, spec, proposal)) {
-    return fmt::format("reached: the noise-corrected RMS is {:.2f} +- {:.2f} % (wanted {:.2f} %)",
-                       100.0 * record.rms_corrected.value, 100.0 * record.rms_corrected.se, 100.0 * spec.stop_rms);
-  }
-  if (stalled(progress.steps, limits)) {
-    if (progress.best_rms >= kNoneYet)
-      return "stalled: the noise of the traces hides the RMS (more photons would tell)";
-    return fmt::format("stalled: no better than {:.2f} % in the last {} steps", 100.0 * progress.best_rms, kStallSteps);
-  }
-  if (record.step >= spec.max_steps) return fmt::format("max_steps: {} steps were made", spec.max_steps);
-  return {};
-}
+/// One design: the loop of `run_design`, a step at a time.
+class Loop {
+ public:
+  Loop(const ForwardModel& model, const DesignSpec& spec, const DesignLimits& limits, DesignProgress progress)
+      : model_(model),
+        spec_(spec),
+        limits_(limits),
+        updater_(make_updater(spec.updater)),
+        progress_(std::move(progress)) {}
 
-void tell_limits(const Proposal& proposal, const DesignSpec& spec, DesignProgress& progress) {
-  progress.limit_notes.clear();
-  const double cells = static_cast<double>(proposal.density.cells.values.size());
-  const auto tell = [&](int count, const char* limit, double value) {
-    if (count == 0) return;
-    progress.limit_notes.push_back(fmt::format("The {} limit of the density ({}) holds {} cells ({:.2f} %).", limit,
-                                               value, count, 100.0 * count / cells));
-  };
-  tell(proposal.clipped_low, "lower", spec.density_min);
-  tell(proposal.clipped_high, "upper", spec.density_max);
-}
+  bool finished() const { return !progress_.stop_reason.empty(); }
+  DesignProgress take() { return std::move(progress_); }
 
-/// A new level begins a new hunt for the best step.
-void change_level(const LevelChoice& choice, const DesignSpec& spec, Proposal& proposal, DesignProgress& progress) {
-  progress.level_note = choice.note;
-  for (double& density : proposal.density.cells.values) density *= choice.factor;
-  proposal.density = tracer::clamped(std::move(proposal.density), spec.density_min, spec.density_max);
-  proposal.level_change *= choice.factor;
-  if (choice.factor != 1.0) progress.best_rms = kNoneYet;
-}
+  /// False: interrupted, and nothing has changed.
+  bool step(const StepObserver& observer) {
+    auto state = observe();
+    if (!state) return false;
+    DesignProgress before = progress_;  // an interruption during the search of the level undoes the step
+    StepRecord& record = state->record;
+    Proposal proposal = updater_->propose(*state, spec_, progress_.memory);
+    record.updater = proposal.method.empty() ? spec_.updater : proposal.method;
+    record.held_low = proposal.clipped_low;
+    record.held_high = proposal.clipped_high;
+    progress_.steps.push_back(record);
+    if (!proposal.note.empty()) progress_.notes.push_back(fmt::format("Step {}: {}", record.step, proposal.note));
+    keep_best(record, state->density);
+    tell_limits(proposal);
+    if (!settle_level(record, proposal)) {
+      progress_ = std::move(before);
+      return false;
+    }
+    progress_.stop_reason = stop_reason(proposal);
+    progress_.density = std::move(proposal.density);
+    progress_.photons = next_photons(record, spec_, limits_);
+    observer(progress_.steps.back(), progress_);
+    return true;
+  }
+
+ private:
+  std::optional<DesignState> observe() {
+    const int number = static_cast<int>(progress_.steps.size());
+    auto observation = model_(progress_.density, progress_.photons, static_cast<std::uint32_t>(number));
+    if (!observation) return std::nullopt;
+    DesignState state{progress_.density, std::move(*observation)};
+    state.record = make_step_record(number, state.density, state.observation, spec_);
+    if (number == 0) progress_.start_luminance = state.observation.map.luminance;
+    Target(spec_, state.observation.map.luminance.grid).flatten(state.observation);
+    return state;
+  }
+
+  void keep_best(const StepRecord& record, const tracer::DensityField& density) {
+    const bool trusted = record.rms_corrected.se <= 0.5 * std::max(record.rms_corrected.value, spec_.stop_rms);
+    const double value = record.rms_corrected.value;
+    const double se = record.rms_corrected.se;
+    const bool clearly_better = value + 2.0 * se < progress_.best_rms;
+    const bool better = clearly_better || (trusted && value < progress_.best_rms + se) || reached(record, spec_);
+    if (record.step > 0 && !better) return;
+    progress_.best_rms = trusted || clearly_better ? std::max(value, 0.0) : kNoneYet;
+    progress_.best_density = density;
+  }
+
+  void tell_limits(const Proposal& proposal) {
+    progress_.limit_notes.clear();
+    const double cells = static_cast<double>(proposal.density.cells.values.size());
+    const auto tell = [&](int count, const char* limit, double value) {
+      if (count == 0) return;
+      progress_.limit_notes.push_back(fmt::format("The {} limit of the density ({}) holds {} cells ({:.2f} %).", limit,
+                                                  value, count, 100.0 * count / cells));
+    };
+    tell(proposal.clipped_low, "lower", spec_.density_min);
+    tell(proposal.clipped_high, "upper", spec_.density_max);
+  }
+
+  void scale_level(double factor, Proposal& proposal) const {
+    for (double& density : proposal.density.cells.values) density *= factor;
+    const CellLimits cells = cell_limits(spec_, proposal.density.cells.grid);
+    proposal.density = within(cells, std::move(proposal.density));
+    proposal.level_change *= factor;
+  }
+
+  /// Chooses the level once the shape is roughly right, and keeps the wanted efficiency later on. False: interrupted.
+  bool settle_level(const StepRecord& record, Proposal& proposal) {
+    if (spec_.level || !(record.luminance_mean > 0.0)) return true;
+    if (!progress_.level_note.empty()) {
+      keep_efficiency(record, proposal);
+      return true;
+    }
+    if (record.rms_corrected.value >= kRoughlyRight) return true;
+    const auto choice = choose_level(model_, proposal.density, spec_,
+                                     std::min(limits_.first_photons, limits_.largest_photons), limits_.largest_photons);
+    if (!choice) return false;
+    progress_.level_note = choice->note;
+    progress_.level_slope = choice->slope;
+    StepRecord& told = progress_.steps.back();
+    told.level_photons = choice->photons;
+    told.cpu_s += choice->cpu_s;
+    told.wall_s += choice->wall_s;
+    scale_level(choice->factor, proposal);
+    // A new level begins a new hunt for the best step.
+    if (choice->factor != 1.0) progress_.best_rms = kNoneYet;
+    return true;
+  }
+
+  void keep_efficiency(const StepRecord& record, Proposal& proposal) const {
+    if (spec_.goal.kind != "min_rms" || progress_.level_slope < kLeastSlope) return;
+    const double lacking = std::log(spec_.goal.efficiency / record.efficiency.value);
+    if (std::abs(lacking) < 2.0 * record.efficiency.se / record.efficiency.value) return;
+    scale_level(std::clamp(std::exp(lacking / progress_.level_slope), 1.0 / kLevelStep, kLevelStep), proposal);
+  }
+
+  std::string stop_reason(const Proposal& proposal) const {
+    const StepRecord& record = progress_.steps.back();
+    const int patience = updater_->patience(spec_);
+    if (reached(record, spec_) && level_rests(progress_, spec_, proposal)) {
+      return fmt::format("reached: the noise-corrected RMS is {:.2f} +- {:.2f} % (wanted {:.2f} %)",
+                         100.0 * record.rms_corrected.value, 100.0 * record.rms_corrected.se, 100.0 * spec_.stop_rms);
+    }
+    if (stalled(progress_.steps, limits_, patience)) {
+      if (progress_.best_rms >= kNoneYet)
+        return "stalled: the noise of the traces hides the RMS (more photons would tell)";
+      return fmt::format("stalled: no better than {:.2f} % in the last {} steps", 100.0 * progress_.best_rms, patience);
+    }
+    if (record.step >= spec_.max_steps) return fmt::format("max_steps: {} steps were made", spec_.max_steps);
+    return {};
+  }
+
+  const ForwardModel& model_;
+  const DesignSpec& spec_;
+  const DesignLimits& limits_;
+  std::unique_ptr<const Updater> updater_;
+  DesignProgress progress_;
+};
 
 }  // namespace
 
-StepRecord make_step_record(int step, const tracer::DensityField& density, const Observation& observation) {
-  const Evenness even = evenness(observation.luminance);
+StepRecord make_step_record(int step, const tracer::DensityField& density, const Observation& observation,
+                            const DesignSpec& spec) {
+  const Evenness even = evenness(Target(spec, observation.map.luminance.grid).judged(observation.luminance));
+  const core::Estimate mean = mean_of_cells(observation.luminance);
   StepRecord record;
   record.step = step;
   record.photons = observation.photons;
   record.rms = even.rms;
   record.rms_corrected = even.rms_corrected;
+  record.noise =
+      std::sqrt(std::max(0.0, even.rms * even.rms - even.rms_corrected.value * std::abs(even.rms_corrected.value)));
   record.efficiency = observation.efficiency;
   record.mean_density = density.cells.mean();
-  record.luminance_mean = even.mean.value * observation.luminance_unit;
+  record.luminance_mean = mean.value * observation.luminance_unit;
   record.cpu_s = observation.cpu_s;
   record.wall_s = observation.wall_s;
   return record;
 }
 
-FinalJudgment make_judgment(const Observation& observation) {
-  const Evenness even = evenness(observation.luminance);
+FinalJudgment make_judgment(const Observation& observation, const DesignSpec& spec) {
+  const Evenness even = evenness(Target(spec, observation.map.luminance.grid).judged(observation.luminance));
+  const core::Estimate mean = mean_of_cells(observation.luminance);
   FinalJudgment judgment;
   judgment.photons = observation.photons;
   judgment.rms = even.rms;
   judgment.rms_corrected = even.rms_corrected;
+  judgment.rms_low = even.low;
+  judgment.rms_high = even.high;
   judgment.uniformity_9 = uniformity_9(observation.map.luminance);
   judgment.uniformity_13 = uniformity_13(observation.map.luminance);
-  judgment.luminance_mean = {even.mean.value * observation.luminance_unit, even.mean.se * observation.luminance_unit};
+  judgment.luminance_mean = {mean.value * observation.luminance_unit, mean.se * observation.luminance_unit};
   judgment.luminance_center = center_luminance(observation.map.luminance);
   judgment.efficiency = observation.efficiency;
   return judgment;
@@ -125,7 +224,8 @@ FinalJudgment make_judgment(const Observation& observation) {
 
 DesignProgress start_design(tracer::DensityField density, const DesignSpec& spec, const DesignLimits& limits) {
   DesignProgress progress;
-  progress.density = tracer::clamped(std::move(density), spec.density_min, spec.density_max);
+  const CellLimits cells = cell_limits(spec, density.cells.grid);
+  progress.density = within(cells, std::move(density));
   progress.best_density = progress.density;
   progress.photons = std::min(limits.first_photons, limits.largest_photons);
   return progress;
@@ -133,39 +233,10 @@ DesignProgress start_design(tracer::DensityField density, const DesignSpec& spec
 
 DesignProgress run_design(const ForwardModel& model, const DesignSpec& spec, const DesignLimits& limits,
                           DesignProgress progress, const StepObserver& observer) {
-  const auto updater = make_updater(spec.updater);
-  while (progress.stop_reason.empty()) {
-    const int step = static_cast<int>(progress.steps.size());
-    DesignState state{progress.density, {}};
-    auto observation = model(state.density, progress.photons, static_cast<std::uint32_t>(step));
-    if (!observation) return progress;
-    state.observation = std::move(*observation);
-    const StepRecord record = make_step_record(step, state.density, state.observation);
-    DesignProgress before = progress;  // an interruption during the search of the level undoes the step
-    progress.steps.push_back(record);
-    if (step == 0) progress.start_luminance = state.observation.map.luminance;
-    Proposal proposal = updater->propose(state, spec);
-    const bool trusted = record.rms_corrected.se <= 0.5 * std::max(record.rms_corrected.value, spec.stop_rms);
-    const double value = record.rms_corrected.value;
-    const double se = record.rms_corrected.se;
-    const bool clearly_better = value + 2.0 * se < progress.best_rms;
-    if (step == 0 || clearly_better || (trusted && value < progress.best_rms + se) || reached(record, spec)) {
-      progress.best_rms = trusted || clearly_better ? std::max(value, 0.0) : kNoneYet;
-      progress.best_density = state.density;
-    }
-    tell_limits(proposal, spec, progress);
-    if (progress.level_note.empty() && !spec.level && record.rms_corrected.value < kRoughlyRight) {
-      const auto choice =
-          choose_level(model, proposal.density, spec, std::min(limits.first_photons, limits.largest_photons));
-      if (!choice) return before;
-      change_level(*choice, spec, proposal, progress);
-    }
-    progress.stop_reason = stop_reason(progress, spec, limits, proposal);
-    progress.density = std::move(proposal.density);
-    progress.photons = next_photons(record, spec, limits);
-    observer(record, progress);
+  Loop loop(model, spec, limits, std::move(progress));
+  while (!loop.finished() && loop.step(observer)) {
   }
-  return progress;
+  return loop.take();
 }
 
 }  // namespace evenglow::design

@@ -22,6 +22,15 @@ core::Estimate share(const tracer::TraceResult& result, std::size_t bin, double 
   return {count.value / whole, count.se / whole};
 }
 
+/// The share that leaves the top, batch by batch.
+std::vector<double> efficiency_batches(const tracer::TraceResult& result) {
+  const double whole = accounted(result) / static_cast<double>(result.energy.batches());
+  std::vector<double> shares;
+  for (std::size_t b = 0; b < result.energy.batches(); ++b)
+    shares.push_back(result.energy.batch(b)[static_cast<std::size_t>(tracer::Side::kTop)] / whole);
+  return shares;
+}
+
 EnergyAccount energy_account(const tracer::Scene& scene, const tracer::TraceResult& result) {
   EnergyAccount account;
   const double whole = accounted(result);
@@ -78,6 +87,7 @@ Observation make_observation(const tracer::Scene& scene, const tracer::TraceResu
   observation.luminance_unit = luminance_per_score(scene.luminance, result.flux, result.photons);
   observation.energy = energy_account(scene, result);
   observation.efficiency = observation.energy.escaped[static_cast<std::size_t>(tracer::Side::kTop)].share;
+  observation.efficiency_batches = efficiency_batches(result);
   observation.color_x = result.color_x;
   observation.color_z = result.color_z;
   if (scene.angular) add_angular(scene, result, observation);
@@ -95,6 +105,7 @@ ForwardModel traced_model(const tracer::Scene& scene, TracedModelOptions options
     run.key = {options.seed, options.stream, step};
     run.threads = options.threads;
     run.stop = options.stop;
+    run.path = options.path;
     if (options.progress) run.progress = [&](std::uint64_t done) { options.progress(done, run.photons); };
     const auto result = trace(scene, density, run);
     if (!result) return std::nullopt;

@@ -17,6 +17,7 @@ struct TracedModelOptions {
   std::size_t batches = 100;
   int threads = 0;
   std::stop_token stop{};
+  tracer::TracePath path = tracer::TracePath::kAuto;
   /// Photons done of those of this trace.
   std::function<void(std::uint64_t done, std::uint64_t all)> progress{};
 };

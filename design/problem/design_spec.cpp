@@ -1,24 +1,46 @@
 #include "design/problem/design_spec.h"
 
+#include <algorithm>
+
 #include <fmt/core.h>
 
-namespace evenglow::design {
+#include "design/problem/target_keys.h"
 
+namespace evenglow::design {
+namespace {
+
+using core::ConfigNode;
 using core::Range;
 
-DesignSpec read_design(const core::ConfigNode& node) {
-  DesignSpec spec;
-  spec.target = node.choice({"target", "wanted shape of the luminance", {"uniform"}, "uniform"});
-  spec.updater = node.choice(
-      {"updater",
-       "how the next density is proposed: the ratio update on a response with its noise taken out, or the plain one",
-       {"ratio_noise_aware", "ratio"},
-       spec.updater});
+constexpr MapRange kMaskRange = {0.0, 1.0, "1 (the cell counts) or 0"};
+constexpr MapRange kLimitRange = {0.0, 1.0, "a density in [0, 1]"};
+
+void read_updater(const ConfigNode& node, DesignSpec& spec) {
+  spec.updater = node.choice({"updater",
+                              "how the next density is proposed",
+                              {"auto", "ratio_noise_aware", "anderson", "ratio", "stochastic_approximation", "spline"},
+                              std::string(spec.updater)});
   spec.power = node.number({"power", "exponent of target over luminance", {0, 2, true, false}, spec.power});
-  spec.stop_rms =
-      node.number({"stop_rms", "noise-corrected RMS non-uniformity to reach", {0, 1, true, false}, spec.stop_rms});
-  spec.max_steps =
-      static_cast<int>(node.integer({"max_steps", "largest number of steps after the start", 0, 1000, spec.max_steps}));
+  spec.anderson_vectors = static_cast<int>(node.integer(
+      {"anderson_vectors", "earlier steps that the acceleration may combine", 1, 8, spec.anderson_vectors}));
+  const ConfigNode spline = node.map("spline", "profile and search of the updater spline");
+  const auto cells = spline.numbers({"coefficients",
+                                     "coefficients of the profile along x and y",
+                                     Range::closed(1, 12),
+                                     2,
+                                     2,
+                                     {{static_cast<double>(spec.spline.nx), static_cast<double>(spec.spline.ny)}},
+                                     true});
+  if (cells.size() == 2) {
+    spec.spline.nx = static_cast<int>(cells[0]);
+    spec.spline.ny = static_cast<int>(cells[1]);
+  }
+  if (spec.spline.nx * spec.spline.ny < 2) spline.fault_at("coefficients", "must be at least two in all, got one");
+  spec.spline.method =
+      spline.choice({"method", "search of NLopt", {"bobyqa", "cobyla", "sbplx"}, std::string(spec.spline.method)});
+}
+
+void read_limits(const ConfigNode& node, DesignSpec& spec) {
   const auto limits = node.numbers({"density",
                                     "least and largest density of a cell",
                                     Range::closed(0, 1),
@@ -33,14 +55,53 @@ DesignSpec read_design(const core::ConfigNode& node) {
                     fmt::format("must be two numbers, 0 < least < largest, got [{}, {}]", limits[0], limits[1]));
     }
   }
-  spec.level = node.optional_number(
-      {"level",
-       "mean density over the plate; left out: as high as the limits allow, which is the most efficient",
-       {0, 1, true, false}});
+  const ConfigNode files = node.map("density_files", "limits cell by cell, as matrices over the plate");
+  spec.least_map = read_map_key(files, {"least", "least density of each cell", std::string()}, kLimitRange);
+  spec.largest_map = read_map_key(files, {"largest", "largest density of each cell", std::string()}, kLimitRange);
+  spec.neighbor_ratio =
+      node.optional_number({"neighbor_ratio", "greatest ratio of the densities of neighboring cells; left out: any",
+                            Range::closed(1.001, 1000)});
+  spec.symmetry = node.choice({"symmetry",
+                               "the density mirrors itself about the middle of the plate in x, in y, or both",
+                               {"none", "x", "y", "both"},
+                               std::string(spec.symmetry)});
+}
+
+void read_level(const ConfigNode& node, DesignSpec& spec) {
+  spec.level =
+      node.optional_number({"level",
+                            "mean density over the plate; left out: the lowest within 2 % of the best efficiency",
+                            {0, 1, true, false}});
   if (spec.level && (*spec.level < spec.density_min || *spec.level > spec.density_max)) {
     node.fault_at("level", fmt::format("must lie between the limits of the density, [{}, {}], got {}", spec.density_min,
                                        spec.density_max, *spec.level));
   }
+  if (spec.level && spec.goal.kind != "even")
+    node.fault_at("level", "must be left out with a goal that chooses it, got both");
+  spec.pareto_levels =
+      node.numbers({"pareto_levels", "mean densities at which evenglow pareto designs; left out: chosen",
+                    Range{0, 1, true, true}, 0, 100, std::vector<double>{}});
+  std::sort(spec.pareto_levels.begin(), spec.pareto_levels.end());
+}
+
+}  // namespace
+
+DesignSpec read_design(const ConfigNode& node) {
+  DesignSpec spec;
+  spec.target = read_target(node);
+  spec.mask =
+      read_map_key(node, {"mask", "matrix over the display: cells with 0 do not count", std::string()}, kMaskRange);
+  if (!spec.mask.empty() && *std::max_element(spec.mask.values.begin(), spec.mask.values.end()) < 0.5)
+    node.fault_at("mask", "must leave at least one cell, got none");
+  spec.start = read_start(node);
+  spec.goal = read_goal(node);
+  read_updater(node, spec);
+  spec.stop_rms =
+      node.number({"stop_rms", "noise-corrected RMS non-uniformity to reach", {0, 1, true, false}, spec.stop_rms});
+  spec.max_steps =
+      static_cast<int>(node.integer({"max_steps", "largest number of steps after the start", 0, 1000, spec.max_steps}));
+  read_limits(node, spec);
+  read_level(node, spec);
   spec.first_photons = static_cast<std::uint64_t>(
       node.count({"first_photons", "photons of the first step; 0: 50 for each cell", 0, 1'000'000'000'000, 0}));
   spec.photon_growth = node.number({"photon_growth", "factor from step to step while noise hides the error",

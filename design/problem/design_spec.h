@@ -3,25 +3,65 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "core/config/config_node.h"
+#include "design/problem/map_table.h"
 
 namespace evenglow::design {
 
+/// The wanted shape of the luminance.
+struct TargetSpec {
+  std::string kind = "uniform";  ///< uniform, center_weighted, map
+  double corner = 0.8;           ///< of center_weighted: corner over center
+  MapTable map;                  ///< of map: luminance over the display, any unit; 0: the cell does not count
+};
+
+/// Where the design begins.
+struct StartSpec {
+  std::string kind = "flat";  ///< flat (what the microstructure says), analytic, map
+  MapTable map;               ///< of map: density over the plate
+};
+
+/// What is weighed against what.
+struct GoalSpec {
+  std::string kind = "even";  ///< even, max_efficiency, min_rms
+  double rms = 0.02;          ///< of max_efficiency: not to be passed, noise-corrected
+  double efficiency = 0.5;    ///< of min_rms: not to be fallen short of
+};
+
+/// The updater `spline`.
+struct SplineSpec {
+  int nx = 4;
+  int ny = 2;
+  std::string method = "bobyqa";  ///< bobyqa, cobyla, sbplx
+};
+
 /// The map `design` of the run file.
 struct DesignSpec {
-  std::string target = "uniform";
-  std::string updater = "ratio_noise_aware";
-  double power = 1.0;      ///< exponent of the ratio updates
+  TargetSpec target;
+  MapTable mask;  ///< over the display: cells below 0.5 do not count; empty: all count
+  StartSpec start;
+  GoalSpec goal;
+  std::string updater = "auto";
+  double power = 1.0;        ///< exponent of the ratio updates
+  int anderson_vectors = 3;  ///< differences that the acceleration may combine
+  SplineSpec spline;
   double stop_rms = 0.01;  ///< noise-corrected RMS non-uniformity to reach
   int max_steps = 20;
   double density_min = 0.01;  ///< limits of the density of every cell
   double density_max = 0.8;
-  std::optional<double> level;      ///< mean density over the plate; none: as high as the limits allow
-  std::uint64_t first_photons = 0;  ///< of the first step; 0: 50 a cell
-  double photon_growth = 4.0;       ///< factor from step to step while the noise is larger than the error
+  MapTable least_map;                    ///< over the plate; empty: none
+  MapTable largest_map;                  ///< over the plate; empty: none
+  std::optional<double> neighbor_ratio;  ///< greatest ratio of the densities of neighboring cells
+  std::string symmetry = "none";         ///< none, x, y, both
+  std::optional<double> level;           ///< mean density over the plate; none: the knee of the efficiency
+  std::uint64_t first_photons = 0;       ///< of the first step; 0: 50 a cell
+  double photon_growth = 4.0;            ///< factor from step to step while the noise is larger than the error
+  std::vector<double> pareto_levels;     ///< mean densities of `evenglow pareto`; empty: chosen
 };
 
+/// Reads and checks the map; the files that it names are read.
 DesignSpec read_design(const core::ConfigNode& design);
 
 }  // namespace evenglow::design

@@ -15,10 +15,11 @@ namespace evenglow::design {
 /// What one trace of a backlight shows.
 struct Observation {
   std::uint64_t photons = 0;
-  tracer::LuminanceMap map;     ///< cd/m2, active area
-  core::Tally luminance;        ///< the batches that the map was made of, any unit proportional to cd/m2
-  double luminance_unit = 1.0;  ///< cd/m2 for 1 of `luminance`
-  core::Estimate efficiency;    ///< share of the source flux that leaves the top
+  tracer::LuminanceMap map;                ///< cd/m2, active area
+  core::Tally luminance;                   ///< the batches that the map was made of, any unit proportional to cd/m2
+  double luminance_unit = 1.0;             ///< cd/m2 for 1 of `luminance`
+  core::Estimate efficiency;               ///< share of the source flux that leaves the top
+  std::vector<double> efficiency_batches;  ///< the same of each batch, for errors of differences; may be empty
   EnergyAccount energy;
   std::optional<AngularLuminance> angular;
   std::vector<SpotLuminance> angular_spots;  ///< of single spots, if asked for
@@ -32,6 +33,7 @@ struct Observation {
 struct DesignState {
   tracer::DensityField density;
   Observation observation;
+  StepRecord record{};  ///< how it is judged
 };
 
 /// From a density to an observation, with `photons` photons and the random numbers of `step`. Empty: interrupted.

@@ -23,6 +23,11 @@ struct StepRecord {
   double luminance_mean = 0.0;   ///< cd/m2
   double cpu_s = 0.0;
   double wall_s = 0.0;
+  double noise = 0.0;               ///< Monte Carlo noise of a cell over the mean, as `rms` holds it
+  int held_low = 0;                 ///< cells that the lower limit holds up in the density proposed next
+  int held_high = 0;                ///< cells that the upper limit holds down
+  std::string updater{};            ///< that proposed the next density
+  std::uint64_t level_photons = 0;  ///< spent after this step on the search of the level (their time is in cpu_s)
 };
 
 /// The judgment of the finished design, from a trace with fresh random numbers.
@@ -35,6 +40,8 @@ struct FinalJudgment {
   core::Estimate luminance_mean;  ///< cd/m2
   double luminance_center = 0.0;  ///< cd/m2
   core::Estimate efficiency;
+  double rms_low = 0.0;  ///< 95 % confidence interval of the RMS without noise
+  double rms_high = 0.0;
 };
 
 /// A named share of the emitted flux.

@@ -14,6 +14,8 @@ namespace {
 using core::CellField;
 using core::Tally;
 
+constexpr double kTwoSided95 = 1.959964;
+
 double mean_of(const std::vector<double>& x) {
   double sum = 0.0;
   for (const double v : x) sum += v;
@@ -90,7 +92,21 @@ std::vector<Point> nine_points() {
   return points;
 }
 
+std::vector<Point> thirteen_points() {
+  std::vector<Point> points = nine_points();
+  for (const double v : {0.3, 0.7}) {
+    for (const double u : {0.3, 0.7}) points.push_back({u, v});
+  }
+  return points;
+}
+
 }  // namespace
+
+core::Estimate mean_of_cells(const Tally& luminance) {
+  std::vector<double> means;
+  for (std::size_t b = 0; b < luminance.batches(); ++b) means.push_back(mean_of(luminance.batch(b)));
+  return core::total_of_batches(means);
+}
 
 Evenness evenness(const Tally& luminance) {
   core::expects(luminance.batches() >= 3 && luminance.bins() > 0, "at least 3 batches of at least one cell");
@@ -110,6 +126,8 @@ Evenness evenness(const Tally& luminance) {
   const auto y = centered_batches(luminance, result.mean.value / static_cast<double>(luminance.batches()));
   const core::Estimate square = pair_statistic(products_of(y));
   result.rms_corrected = signed_root(square.value, square.se);
+  result.low = std::sqrt(std::max(0.0, square.value - kTwoSided95 * square.se));
+  result.high = std::sqrt(std::max(0.0, square.value + kTwoSided95 * square.se));
   return result;
 }
 
@@ -118,11 +136,15 @@ double uniformity_9(const CellField& luminance) {
 }
 
 double uniformity_13(const CellField& luminance) {
-  std::vector<Point> points = nine_points();
-  for (const double v : {0.3, 0.7}) {
-    for (const double u : {0.3, 0.7}) points.push_back({u, v});
-  }
-  return uniformity(luminance, points);
+  return uniformity(luminance, thirteen_points());
+}
+
+std::vector<SpotValue> uniformity_spots(const CellField& luminance) {
+  const core::CellGrid& g = luminance.grid;
+  std::vector<SpotValue> spots;
+  for (const Point& point : thirteen_points())
+    spots.push_back({g.x0 + point.u * g.nx * g.dx, g.y0 + point.v * g.ny * g.dy, spot(luminance, point)});
+  return spots;
 }
 
 double center_luminance(const CellField& luminance) {

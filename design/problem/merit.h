@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include "core/math/cell_field.h"
 #include "core/montecarlo/tally.h"
 #include "design/problem/judgment.h"
@@ -11,7 +13,9 @@ namespace evenglow::design {
 struct Evenness {
   double rms = 0.0;  ///< of the map as it is, noise included
   core::Estimate
-      rms_corrected;    ///< without the noise; signed root, negative where noise alone explains more than is seen
+      rms_corrected;  ///< without the noise; signed root, negative where noise alone explains more than is seen
+  double low = 0.0;   ///< 95 % confidence interval of the RMS without noise: that of its square, which is normal
+  double high = 0.0;
   core::Estimate mean;  ///< of the map, unit of the tally
 };
 
@@ -22,11 +26,22 @@ struct Evenness {
 /// nothing has to be subtracted (pair_statistic.h).
 Evenness evenness(const core::Tally& luminance);
 
+/// The mean of the cells with its standard error, unit of the tally.
+core::Estimate mean_of_cells(const core::Tally& luminance);
+
 /// Minimum over maximum of the luminance of spots at 9 points (a 3 x 3 grid at 10, 50 and 90 % of length and width) and
 /// 13 points (those and the 4 at 30 and 70 %). A spot is the mean of the cells whose centers lie within 4 % of the
 /// diagonal of the point.
 double uniformity_9(const core::CellField& luminance);
 double uniformity_13(const core::CellField& luminance);
+/// One of those spots.
+struct SpotValue {
+  double x = 0.0;  ///< mm
+  double y = 0.0;  ///< mm
+  double luminance = 0.0;
+};
+/// The 13 spots; the first 9 are those of `uniformity_9`.
+std::vector<SpotValue> uniformity_spots(const core::CellField& luminance);
 /// The mean of the spot at the center.
 double center_luminance(const core::CellField& luminance);
 

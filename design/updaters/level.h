@@ -4,7 +4,8 @@
 
 namespace evenglow::design {
 
-/// Scales a proposed density to its level (mean density) and into the limits.
+/// Brings a proposed density to its level (mean density) and to what the maker allows: symmetry, ratio of neighbors,
+/// limits of the cells.
 ///
 /// The level stays what it was (or is the spec's) unless the upper limit would hold cells down: then it gives way by up
 /// to a fifth a step, because a lower level needs a smaller range of densities. `current_mean`: mean density of the

@@ -5,7 +5,9 @@
 #include <iterator>
 #include <vector>
 
-#include "design/updaters/ratio_updater.h"
+#include "design/problem/regrid.h"
+#include "design/updaters/box_blur.h"
+#include "design/updaters/log_step.h"
 
 namespace evenglow::design {
 namespace {
@@ -49,16 +51,18 @@ double scale_of(int band) {
   return kScales[std::min(band + 1, kBands - 1)];
 }
 
-/// Adds the share of the band (i, j) that stands out of its noise.
-void add_significant(const CellField& band, const CellField& noise_band, int i, int j, CellField& result) {
+/// Adds the share of the band (i, j) that stands out of its noise, and the noise that goes with it.
+void add_significant(const CellField& band, const CellField& noise_band, int i, int j, Denoised& result) {
   const auto energy_of = [&](const CellField& field, double window) {
-    return core::smooth_gaussian(squared(field), window * scale_of(i), window * scale_of(j));
+    return blur(squared(field), window * scale_of(i), window * scale_of(j));
   };
   const CellField energy = energy_of(band, kSignalWindow);
   const CellField noise = energy_of(noise_band, kNoiseWindow);
-  for (std::size_t k = 0; k < result.values.size(); ++k) {
+  for (std::size_t k = 0; k < band.values.size(); ++k) {
     if (energy.values[k] <= 0.0) continue;
-    result.values[k] += band.values[k] * std::max(0.0, 1.0 - kLambda * noise.values[k] / energy.values[k]);
+    const double share = std::max(0.0, 1.0 - kLambda * noise.values[k] / energy.values[k]);
+    result.field.values[k] += share * band.values[k];
+    result.noise.values[k] += share * noise_band.values[k];
   }
 }
 
@@ -85,45 +89,51 @@ CellField noise_sample(const core::Tally& tally, const CellField& local) {
 
 class NoiseAwareRatioUpdater final : public Updater {
  public:
-  Proposal propose(const DesignState& state, const DesignSpec& spec) const override {
-    const CellField& luminance = state.observation.map.luminance;
-    const double mean = luminance.mean();
-    const CellField density = core::resample_bilinear(state.density.cells, luminance.grid);
-    const CellField local = core::smooth_gaussian(luminance, kLocalScale);
-    CellField response = luminance;
-    for (std::size_t i = 0; i < response.values.size(); ++i) {
-      // A cell that few photons reached must not pull the logarithm down without bound.
-      const double floor = kFloor * std::max(local.values[i], 1e-3 * mean);
-      response.values[i] = std::log(std::max(luminance.values[i], floor) / mean / density.values[i]);
-    }
-    CellField excess = denoise(response, noise_sample(state.observation.luminance, local));
-    for (std::size_t i = 0; i < excess.values.size(); ++i) excess.values[i] += std::log(density.values[i]);
-    double level = 0.0;
-    for (const double value : excess.values) level += value;
-    level /= static_cast<double>(excess.values.size());
-    for (double& value : excess.values) value -= level;
-    return apply_ratio(state, spec, excess);
+  Proposal propose(const DesignState& state, const DesignSpec& spec, UpdaterMemory&) const override {
+    return take_step(state, spec, ratio_step(state, spec, noise_aware_excess(state).field));
   }
 };
 
 }  // namespace
 
-CellField denoise(const CellField& field, const CellField& noise) {
-  CellField result(field.grid, 0.0);
+Denoised denoise(const CellField& field, const CellField& noise) {
+  Denoised result{{field.grid, 0.0}, {field.grid, 0.0}};
   for (int i = 0; i < kBands; ++i) {
     const CellField field_x = band_x(field, i);
     const CellField noise_x = band_x(noise, i);
     for (int j = 0; j < kBands; ++j) {
       const CellField band = band_y(field_x, j);
+      const CellField noise_band = band_y(noise_x, j);
       const bool coarsest = i + 1 == kBands && j + 1 == kBands;
       if (coarsest) {
-        for (std::size_t k = 0; k < result.values.size(); ++k) result.values[k] += band.values[k];
+        for (std::size_t k = 0; k < band.values.size(); ++k) {
+          result.field.values[k] += band.values[k];
+          result.noise.values[k] += noise_band.values[k];
+        }
       } else {
-        add_significant(band, band_y(noise_x, j), i, j, result);
+        add_significant(band, noise_band, i, j, result);
       }
     }
   }
   return result;
+}
+
+Denoised noise_aware_excess(const DesignState& state) {
+  const CellField& luminance = state.observation.map.luminance;
+  const double mean = luminance.mean();
+  const CellField density = regrid(state.density.cells, luminance.grid);
+  const CellField local = core::smooth_gaussian(luminance, kLocalScale);
+  CellField response = luminance;
+  for (std::size_t i = 0; i < response.values.size(); ++i) {
+    // A cell that few photons reached must not pull the logarithm down without bound.
+    const double floor = kFloor * std::max(local.values[i], 1e-3 * mean);
+    response.values[i] = std::log(std::max(luminance.values[i], floor) / mean / density.values[i]);
+  }
+  Denoised excess = denoise(response, noise_sample(state.observation.luminance, local));
+  for (std::size_t i = 0; i < response.values.size(); ++i) excess.field.values[i] += std::log(density.values[i]);
+  const double level = excess.field.mean();
+  for (double& value : excess.field.values) value -= level;
+  return excess;
 }
 
 std::unique_ptr<const Updater> make_noise_aware_ratio_updater() {

@@ -16,7 +16,22 @@ namespace evenglow::design {
 /// tell, so no bias is left once the photons grow.
 std::unique_ptr<const Updater> make_noise_aware_ratio_updater();
 
+/// A field with its noise taken out, and what is left of the noise in it.
+struct Denoised {
+  core::CellField field;
+  core::CellField noise;  ///< a realization
+
+  double noise_square() const {
+    double sum = 0.0;
+    for (const double value : noise.values) sum += value * value;
+    return sum / static_cast<double>(noise.values.size());
+  }
+};
+
 /// `field` denoised as told above; `noise`: a field that holds a realization of its noise and no signal.
-core::CellField denoise(const core::CellField& field, const core::CellField& noise);
+Denoised denoise(const core::CellField& field, const core::CellField& noise);
+
+/// ln(luminance / mean luminance) of each cell of the display with the noise taken out; mean 0.
+Denoised noise_aware_excess(const DesignState& state);
 
 }  // namespace evenglow::design

@@ -9,9 +9,4 @@ namespace evenglow::design {
 /// OptoElectronics 2016, 1760260). It follows the noise of the map.
 std::unique_ptr<const Updater> make_ratio_updater();
 
-/// The common step of the ratio updates: `log_excess` is ln(luminance / mean luminance) on the luminance cells; it is
-/// taken to the density cells (those outside the active area follow the nearest inside), the level is chosen, the
-/// limits are kept.
-Proposal apply_ratio(const DesignState& state, const DesignSpec& spec, const core::CellField& log_excess);
-
 }  // namespace evenglow::design

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <map>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "core/config/registry.h"
 #include "design/problem/design_spec.h"
@@ -15,13 +17,22 @@ struct Proposal {
   double level_change = 1.0;     ///< factor of the mean density that was chosen for the level
   int clipped_low = 0;           ///< cells that the lower limit holds up
   int clipped_high = 0;          ///< cells that the upper limit holds down
+  std::string method;            ///< of an updater that chooses among several: the one it took
+  std::string note;              ///< for the log, where the updater has changed its mind; else empty
 };
 
-/// Proposes the next density from a finished step; keeps no state of its own.
+/// What an updater keeps from step to step: named lists of numbers. It belongs to the progress of the design and is
+/// saved with it, so that a design goes on from a checkpoint to the same bits.
+using UpdaterMemory = std::map<std::string, std::vector<double>>;
+
+/// Proposes the next density from a finished step, whose luminance is over the target (target.h); keeps no state of its
+/// own but in the memory that it is handed.
 class Updater {
  public:
   virtual ~Updater() = default;
-  virtual Proposal propose(const DesignState& state, const DesignSpec& spec) const = 0;
+  virtual Proposal propose(const DesignState& state, const DesignSpec& spec, UpdaterMemory& memory) const = 0;
+  /// Steps without gain after which the design counts as stalled: searches that try need more than updates that aim.
+  virtual int patience(const DesignSpec&) const { return 4; }
 };
 
 /// One line for each updater.

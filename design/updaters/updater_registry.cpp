@@ -1,15 +1,24 @@
 #include "core/base/error.h"
+#include "design/updaters/anderson_updater.h"
+#include "design/updaters/auto_updater.h"
 #include "design/updaters/noise_aware_ratio_updater.h"
 #include "design/updaters/ratio_updater.h"
+#include "design/updaters/spline_updater.h"
+#include "design/updaters/stochastic_approximation_updater.h"
 #include "design/updaters/updater.h"
 
 namespace evenglow::design {
 
 const std::vector<UpdaterEntry>& updater_registry() {
   static const std::vector<UpdaterEntry> entries = {
+      {"auto", "chooses by measured coupling and noise", make_auto_updater},
       {"ratio_noise_aware", "the ratio update on the response with its noise taken out band by band",
        make_noise_aware_ratio_updater},
+      {"anderson", "Anderson acceleration of ratio_noise_aware in ln density", make_anderson_updater},
       {"ratio", "density times a power of target over luminance", make_ratio_updater},
+      {"stochastic_approximation", "ratio steps whose gain falls cell by cell with each change of sign",
+       make_stochastic_approximation_updater},
+      {"spline", "a smooth profile with few coefficients, searched by NLopt", make_spline_updater},
   };
   return entries;
 }

@@ -36,13 +36,19 @@ TEST(CsvWriter, MatrixReadsBackAsItWas) {
 }
 
 TEST(CsvWriter, ConvergenceHasThePromisedColumns) {
-  const auto rows = cells(convergence_csv(samples::report()));
+  Report report = samples::report();
+  report.steps[2].noise = 0.03;
+  report.steps[2].held_high = 7;
+  report.steps[2].updater = "anderson";
+  const auto rows = cells(convergence_csv(report));
   ASSERT_EQ(rows.size(), 4U);
   EXPECT_EQ(rows[0],
             (std::vector<std::string>{"step", "photons", "rms", "rms_corrected", "rms_corrected_se", "efficiency",
-                                      "efficiency_se", "mean_density", "luminance_mean_cd_m2", "cpu_s", "wall_s"}));
+                                      "efficiency_se", "mean_density", "luminance_mean_cd_m2", "cpu_s", "wall_s",
+                                      "noise", "held_low", "held_high", "level_photons", "updater"}));
   EXPECT_EQ(rows[3], (std::vector<std::string>{"2", "1000000", "0.09999999999999999", "0.09666666666666666", "0.001",
-                                               "0.5", "0.002", "0.1", "902", "2.5", "1.25"}));
+                                               "0.5", "0.002", "0.1", "902", "2.5", "1.25", "0.03", "0", "7", "0",
+                                               "anderson"}));
 }
 
 TEST(CsvWriter, AngularTableHasTheEdgesOfEachBin) {

@@ -75,5 +75,40 @@ TEST(SvgDrawing, EscapesTextAndLabels) {
   EXPECT_NE(element.find("aria-label=\"&quot;&gt;&lt;script&gt;\""), std::string::npos);
 }
 
+/// Keeps the corners of the last line.
+class LastLine final : public Drawing {
+ public:
+  void polyline(std::span<const Point> points, const Stroke& /*stroke*/) override {
+    corners.assign(points.begin(), points.end());
+  }
+  void band(std::span<const Point> /*outline*/, Ink /*ink*/) override {}
+  void mark(Point /*center*/, double /*radius*/, Mark /*shape*/, Ink /*ink*/) override {}
+  void text(Point /*at*/, std::string_view /*text*/, const TextStyle& /*style*/) override {}
+  double text_width(std::string_view /*text*/, const TextStyle& /*style*/) const override { return 10.0; }
+  std::vector<Point> corners;
+};
+
+TEST(CurvePlot, AHistogramStepsHalfwayBetweenItsPoints) {
+  Curve curve;
+  curve.x = {1, 2, 3};
+  curve.y = {5, 9, 7};
+  curve.marked = false;
+  curve.stepped = true;
+  CurvePlot plot{"t", "x", "y", false, false, true, {curve}};
+  LastLine line;
+  const PlotFrame frame = draw_curves(line, plot, {0, 0, 400, 300}, 12.0, false);
+  EXPECT_EQ(frame.x.range.low, 0.5);
+  EXPECT_EQ(frame.x.range.high, 3.5);
+  ASSERT_EQ(line.corners.size(), 6U);
+  const double borders[] = {0.5, 1.5, 1.5, 2.5, 2.5, 3.5};
+  for (std::size_t i = 0; i < 6; ++i) {
+    EXPECT_NEAR(line.corners[i].x, frame.at(borders[i], 0.0).x, 1e-9) << i;
+    EXPECT_NEAR(line.corners[i].y, frame.at(0.0, curve.y[i / 2]).y, 1e-9) << i;
+  }
+  plot.curves[0].x = {1, nan, 3};
+  draw_curves(line, plot, {0, 0, 400, 300}, 12.0, false);
+  for (const Point& corner : line.corners) EXPECT_TRUE(std::isfinite(corner.x));
+}
+
 }  // namespace
 }  // namespace evenglow::design

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "design/engine/checkpoint.h"
+#include "design/problem/target.h"
 #include "design/updaters/updater.h"
 #include "tests/support/analytic_backlight.h"
 
@@ -38,10 +39,26 @@ double true_rms(const tests::AnalyticBacklight& model, const tracer::DensityFiel
   return std::sqrt(squares / static_cast<double>(L.size())) / mean;
 }
 
+/// The same of the first `columns` columns alone.
+double masked_rms(const tests::AnalyticBacklight& model, const tracer::DensityField& density, int columns) {
+  const auto L = model.luminance(density);
+  double mean = 0.0, squares = 0.0, count = 0.0;
+  for (int pass = 0; pass < 2; ++pass) {
+    for (std::size_t i = 0; i < L.size(); ++i) {
+      if (static_cast<int>(i) % model.grid.nx >= columns) continue;
+      (pass == 0 ? mean : squares) += pass == 0 ? L[i] : (L[i] - mean) * (L[i] - mean);
+      count += pass == 0 ? 1.0 : 0.0;
+    }
+    if (pass == 0) mean /= count;
+  }
+  return std::sqrt(squares / count) / mean;
+}
+
 // Outcomes, not densities: every updater must reach the wanted evenness of the noise-free model, from an uneven start.
 TEST(DesignLoop, EveryUpdaterReachesTheWantedEvenness) {
   const tests::AnalyticBacklight model;
   for (const UpdaterEntry& entry : updater_registry()) {
+    if (entry.name == "spline") continue;  // a smooth profile cannot follow this model's rows: spline_updater_test.cpp
     const DesignSpec spec = spec_of(entry.name, 0.01);
     ASSERT_GT(true_rms(model, flat(model.grid, 0.1)), 0.2);
     const DesignProgress progress = designed(model, spec);
@@ -86,7 +103,7 @@ TEST(DesignLoop, FixedLevelIsKept) {
   EXPECT_TRUE(progress.level_note.empty());
 }
 
-TEST(DesignLoop, FreeLevelIsTheLowestWithinTwoPercentOfTheBest) {
+TEST(DesignLoop, FreeLevelGoesToTheKneeOfTheEfficiency) {
   const tests::AnalyticBacklight model;
   const DesignSpec spec = spec_of("ratio_noise_aware", 0.01);
   const DesignProgress progress = designed(model, spec);
@@ -95,14 +112,19 @@ TEST(DesignLoop, FreeLevelIsTheLowestWithinTwoPercentOfTheBest) {
   EXPECT_GT(progress.best_density.cells.mean(), 0.13);
 }
 
-TEST(DesignLoop, GoesOnFromACheckpointToTheSameBits) {
+/// Every updater, with all that it remembers, from a design that was interrupted after three steps.
+class DesignLoopOf : public testing::TestWithParam<std::string> {};
+
+TEST_P(DesignLoopOf, GoesOnFromACheckpointToTheSameBits) {
   const tests::AnalyticBacklight model;
-  const DesignSpec spec = spec_of("ratio_noise_aware", 0.005);
+  DesignSpec spec = spec_of(GetParam(), 0.002);
+  spec.max_steps = 8;
   const DesignLimits limits{200000, 16000000};
-  const auto file = std::filesystem::path(testing::TempDir()) / "evenglow_design_loop_checkpoint.json";
+  const auto file = std::filesystem::path(testing::TempDir()) / ("evenglow_design_loop_" + GetParam() + ".json");
   std::filesystem::remove(file);
   const DesignProgress whole = designed(model, spec, limits);
-  int left = 3;
+  ASSERT_GT(whole.steps.size(), 4U);
+  int left = 4;
   const ForwardModel interrupted = [&](const auto& density, auto photons, auto step) {
     return step < 0x80000000U && left-- <= 0 ? std::nullopt : model(density, photons, step);
   };
@@ -112,14 +134,80 @@ TEST(DesignLoop, GoesOnFromACheckpointToTheSameBits) {
   EXPECT_TRUE(part.stop_reason.empty());
   auto loaded = load_checkpoint(file, "me");
   ASSERT_TRUE(loaded);
-  EXPECT_EQ(loaded->steps.size(), 3U);
+  EXPECT_EQ(loaded->steps.size(), 4U);
   const DesignProgress rest =
       run_design(model, spec, limits, std::move(*loaded), [](const StepRecord&, const DesignProgress&) {});
   EXPECT_EQ(rest.steps.size(), whole.steps.size());
+  EXPECT_EQ(rest.density.cells.values, whole.density.cells.values);
   EXPECT_EQ(rest.best_density.cells.values, whole.best_density.cells.values);
+  EXPECT_EQ(rest.memory, whole.memory);
+  EXPECT_EQ(rest.notes, whole.notes);
   EXPECT_EQ(rest.stop_reason, whole.stop_reason);
   EXPECT_THROW(load_checkpoint(file, "another"), core::Error);
   std::filesystem::remove(file);
+}
+
+std::vector<std::string> updater_names() {
+  std::vector<std::string> names;
+  for (const UpdaterEntry& entry : updater_registry()) names.push_back(entry.name);
+  return names;
+}
+INSTANTIATE_TEST_SUITE_P(Updaters, DesignLoopOf, testing::ValuesIn(updater_names()),
+                         [](const auto& name) { return name.param; });
+
+TEST(DesignLoop, RecordsTheNoiseAndWhatWasSpentOnTheLevel) {
+  const tests::AnalyticBacklight model;
+  const DesignProgress progress = designed(model, spec_of("ratio_noise_aware", 0.01));
+  std::uint64_t spent = 0;
+  for (const StepRecord& record : progress.steps) {
+    // 20 batches of Gaussian noise; the figure comes from a single trace of 288 cells: within 10 %.
+    const double noise = model.noise * std::sqrt(1e6 / static_cast<double>(record.photons));
+    EXPECT_NEAR(record.noise, noise, 0.1 * noise);
+    EXPECT_EQ(record.updater, "ratio_noise_aware");
+    spent += record.level_photons;
+  }
+  EXPECT_GE(spent, 6U * 200000U);
+}
+
+TEST(DesignLoop, MeetsATargetThatIsNotUniform) {
+  const tests::AnalyticBacklight model;
+  DesignSpec spec = spec_of("auto", 0.01);
+  spec.target.kind = "center_weighted";
+  spec.target.corner = 0.6;
+  const DesignProgress progress = designed(model, spec);
+  const core::CellField wanted = target_shape(spec.target, model.grid);
+  std::vector<double> L = model.luminance(progress.best_density);
+  double mean = 0.0, squares = 0.0;
+  for (std::size_t i = 0; i < L.size(); ++i) mean += (L[i] /= wanted.values[i]) / static_cast<double>(L.size());
+  for (const double v : L) squares += (v / mean - 1.0) * (v / mean - 1.0) / static_cast<double>(L.size());
+  EXPECT_LT(std::sqrt(squares), 0.012);
+  EXPECT_GT(true_rms(model, progress.best_density), 0.05);
+}
+
+TEST(DesignLoop, LeavesMaskedCellsOutOfTheJudgment) {
+  // Far from the LEDs the upper limit leaves the plate too dark; a mask over the last quarter leaves that out.
+  const tests::AnalyticBacklight model;
+  DesignSpec spec = spec_of("ratio_noise_aware", 0.01);
+  spec.level = 0.15;
+  spec.density_max = 0.2;
+  spec.max_steps = 8;
+  const DesignProgress whole = designed(model, spec);
+  EXPECT_GT(whole.best_rms, 0.03);
+  spec.mask = {4, 1, {1.0, 1.0, 1.0, 0.0}};
+  const DesignProgress part = designed(model, spec);
+  EXPECT_LT(part.best_rms, whole.best_rms);
+  EXPECT_NEAR(part.steps.front().rms_corrected.value, masked_rms(model, flat(model.grid, 0.1), 18), 0.01);
+}
+
+TEST(DesignLoop, KeepsTheWantedEfficiencyOfMinRms) {
+  const tests::AnalyticBacklight model;
+  DesignSpec spec = spec_of("auto", 0.01);
+  spec.goal.kind = "min_rms";
+  spec.goal.efficiency = 0.55;
+  const DesignProgress progress = designed(model, spec);
+  EXPECT_NE(progress.level_note.find("reaches 55.0 %"), std::string::npos) << progress.level_note;
+  const auto judged = model(progress.best_density, 16000000, 77);
+  EXPECT_NEAR(judged->efficiency.value, 0.55, 0.01);
 }
 
 TEST(DesignLoop, StopsAtTheStartIfItIsEvenEnough) {

@@ -25,11 +25,13 @@ nlohmann::ordered_json data_of(const std::string& html) {
 /// Every text that a user may choose is the same attack.
 Report hostile(const std::string& attack) {
   Report r = samples::report(attack);
-  for (std::string* text : {&r.version, &r.title, &r.command, &r.run_file_text, &r.run_file_sha256, &r.stop_reason,
-                            &r.luminance_estimator, &r.energy.absorbed[0].name, &r.energy.escaped[0].name}) {
+  for (std::string* text :
+       {&r.version, &r.title, &r.command, &r.run_file_text, &r.run_file_sha256, &r.stop_reason, &r.luminance_estimator,
+        &r.energy.absorbed[0].name, &r.energy.escaped[0].name, &r.processor}) {
     *text = attack;
   }
   r.overrides = r.notes = {attack};
+  r.films = {{attack, 0.0, 0.05, {attack}}};
   return r;
 }
 
@@ -103,6 +105,34 @@ TEST(HtmlWriter, ThreeDesignsStayBelowThreeMegabytes) {
     variants.push_back(r);
   }
   EXPECT_LT(report_html(compare_reports("t", "c", variants)).size(), 3000000U);
+}
+
+/// As large as the promise: 128 x 72 cells, two designs.
+std::string large_page() {
+  std::vector<Report> variants;
+  for (const char* name : {"lpp", "dbef"}) {
+    Report r = samples::report(name);
+    r.start_luminance = r.luminance = r.luminance_se = samples::ramp(128, 72, 1234.567891 / 3.0);
+    r.density = samples::ramp(128, 72, 0.123456789);
+    r.target = samples::ramp(128, 72, 1.0);
+    variants.push_back(r);
+  }
+  return report_html(compare_reports("t", "c", variants));
+}
+
+TEST(HtmlWriter, TwoDesignsOf128By72CellsStayBelowFiveMegabytes) {
+  EXPECT_LT(large_page().size(), 5000000U);
+}
+
+TEST(HtmlWriter, HasItsParts) {
+  Report r = samples::report();
+  r.processor = "Chip A";
+  r.films = {{"dbef", 0.0, 0.05, {"a remark"}}};
+  const std::string html = report_html(r);
+  for (const char* part : {"svg class=\"energy\"", "Histogram of the cells", "class=\"spots\"", "table class=\"films\"",
+                           "Chip A", "data-cut=\"maps\"", "data-palette", "data-scales=\"maps\""}) {
+    EXPECT_NE(html.find(part), std::string::npos) << part;
+  }
 }
 
 TEST(HtmlWriter, WritesWhateverTheNumbers) {

@@ -1,5 +1,6 @@
 #include "design/problem/merit.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <random>
@@ -174,6 +175,28 @@ TEST(Uniformity, SpotsAtNineAndThirteenPoints) {
   EXPECT_DOUBLE_EQ(center_luminance(field), 20.0);
   EXPECT_DOUBLE_EQ(uniformity_9(field), 0.25);
   EXPECT_EQ(uniformity_9(core::CellField(field.grid, 0.0)), 0.0);
+}
+
+TEST(Merit, SpotsAreThoseOfTheUniformities) {
+  core::CellField field(core::CellGrid::over(60, 30, 5.0, 2.0, 125.0, 62.0), 0.0);
+  for (std::size_t i = 0; i < field.values.size(); ++i) field.values[i] = 100.0 + static_cast<double>(i * 7919 % 997);
+  const std::vector<SpotValue> spots = uniformity_spots(field);
+  ASSERT_EQ(spots.size(), 13U);
+  EXPECT_NEAR(spots[0].x, 17.0, 1e-9);
+  EXPECT_NEAR(spots[0].y, 8.0, 1e-9);
+  EXPECT_NEAR(spots[12].x, 89.0, 1e-9);
+  EXPECT_NEAR(spots[12].y, 44.0, 1e-9);
+  EXPECT_EQ(spots[4].luminance, center_luminance(field));
+  const auto uniformity = [&](std::size_t count) {
+    double low = 1e9, high = 0.0;
+    for (std::size_t i = 0; i < count; ++i) {
+      low = std::min(low, spots[i].luminance);
+      high = std::max(high, spots[i].luminance);
+    }
+    return low / high;
+  };
+  EXPECT_EQ(uniformity(9), uniformity_9(field));
+  EXPECT_EQ(uniformity(13), uniformity_13(field));
 }
 
 }  // namespace

@@ -46,19 +46,28 @@ const core::CellGrid kGrid = core::CellGrid::over(64, 40, 0, 0, 64, 40);
 
 TEST(Denoise, LeavesANoiselessFieldAsItIs) {
   const core::CellField field = truth(kGrid);
-  const core::CellField result = denoise(field, core::CellField(kGrid, 0.0));
+  const core::CellField result = denoise(field, core::CellField(kGrid, 0.0)).field;
   EXPECT_LT(rms_difference(result, field), 1e-12);
 }
 
 TEST(Denoise, TakesOutMostOfPureNoise) {
-  const core::CellField result = denoise(noise_field(kGrid, 0.2, 1), noise_field(kGrid, 0.2, 2));
+  const core::CellField result = denoise(noise_field(kGrid, 0.2, 1), noise_field(kGrid, 0.2, 2)).field;
   // What the coarsest band alone lets pass is 0.2 / (2 sqrt(pi) 11.2) = 0.005.
   EXPECT_LT(rms_difference(result, core::CellField(kGrid, 0.0)), 0.015);
 }
 
+TEST(Denoise, TellsTheNoiseThatItLetsPass) {
+  // Other noise of the same kind is in the field: what is left of it must have the size that is told.
+  const core::CellField field = truth(kGrid);
+  const Denoised result = denoise(sum(field, noise_field(kGrid, 0.1, 5)), noise_field(kGrid, 0.1, 6));
+  EXPECT_GT(std::sqrt(result.noise_square()), 0.005);
+  EXPECT_LT(std::sqrt(result.noise_square()), 0.05);
+  EXPECT_LT(std::sqrt(result.noise_square()), 1.2 * rms_difference(result.field, field));
+}
+
 TEST(Denoise, KeepsSlopeEdgeLineAndSpotInNoise) {
   const core::CellField field = truth(kGrid);
-  const core::CellField result = denoise(sum(field, noise_field(kGrid, 0.1, 3)), noise_field(kGrid, 0.1, 4));
+  const core::CellField result = denoise(sum(field, noise_field(kGrid, 0.1, 3)), noise_field(kGrid, 0.1, 4)).field;
   EXPECT_LT(rms_difference(result, field), 0.05);  // half of the noise
   double line = 0.0;
   for (int ix = 0; ix < kGrid.nx; ++ix)

@@ -7,6 +7,8 @@
 
 #include "core/base/error.h"
 #include "design/report/cairo_drawing.h"
+#include "design/report/map_plot.h"
+#include "tests/design/metrology_samples.h"
 #include "tests/design/report_samples.h"
 
 namespace evenglow::design {
@@ -73,6 +75,22 @@ TEST(PngWriter, DrawsWhateverTheNumbers) {
   PngWriter().write(Report{}, folder.path());
   PngWriter().write(compare_reports("", "", {r, Report{}}), folder.path());
   EXPECT_TRUE(header(samples::content(folder.path() / "compare.png")).signed_right);
+}
+
+/// A map five times as high as wide is narrower than its caption: the picture is not, so that nothing is cut off.
+TEST(PngWriter, TallMapsLeaveRoomForTheirCaption) {
+  const samples::Folder folder("png_tall");
+  Report tall = samples::report_with_metrology();
+  tall.color->delta = core::CellField({4, 20, 0.0, 0.0, 5.0, 5.0}, 0.002);
+  tall.color->delta_se = core::CellField(tall.color->delta.grid, 0.0004);
+  PngWriter().write(tall, folder.path());
+  const MapPlot shortest{"",
+                         "from the mean color; RMS 0.002 (noise taken off); standard error of a cell 0.0004",
+                         &tall.color->delta,
+                         {0.0, 1.0},
+                         &ColorMap::luminance()};
+  EXPECT_GT(header(samples::content(folder.path() / "delta_uv.png")).width,
+            caption_right(CairoDrawing(1, 1), shortest, 26.0));
 }
 
 TEST(PngWriter, NamesThePathItCannotWrite) {

@@ -1,33 +1,11 @@
 #include "design/report/report_curves.h"
 
-#include <cmath>
-
 #include <gtest/gtest.h>
 
 #include "tests/design/report_samples.h"
 
 namespace evenglow::design {
 namespace {
-
-TEST(ReportCurves, SectionOfAnEvenCountIsTheMeanOfTheTwoMiddleRows) {
-  core::CellField field({2, 2, 0.0, 0.0, 10.0, 5.0}, 0.0);
-  field.values = {1, 2, 5, 8};
-  const core::CellField se({2, 2, 0.0, 0.0, 10.0, 5.0}, 3.0);
-  const Curve along_x = section_curve(field, &se, SectionDirection::along_x);
-  EXPECT_EQ(along_x.x, (std::vector<double>{5, 15}));
-  EXPECT_EQ(along_x.y, (std::vector<double>{3, 5}));
-  EXPECT_NEAR(along_x.se[0], 3.0 / std::sqrt(2.0), 1e-12);
-  const Curve along_y = section_curve(field, nullptr, SectionDirection::along_y);
-  EXPECT_EQ(along_y.x, (std::vector<double>{2.5, 7.5}));
-  EXPECT_EQ(along_y.y, (std::vector<double>{1.5, 6.5}));
-}
-
-TEST(ReportCurves, SectionOfAnOddCountIsTheMiddleRow) {
-  core::CellField field({1, 3, 0.0, 0.0, 10.0, 5.0}, 0.0);
-  field.values = {1, 2, 9};
-  EXPECT_EQ(section_curve(field, &field, SectionDirection::along_x).y, (std::vector<double>{2}));
-  EXPECT_EQ(section_curve(field, &field, SectionDirection::along_x).se, (std::vector<double>{2}));
-}
 
 TEST(ReportCurves, BorderOfTwoAzimuthBinsIsTheirMean) {
   const AngularLuminance four{{0, 90}, 4, {{1, 3}, {2, 3}, {4, 4}, {8, 4}}};
@@ -55,6 +33,16 @@ TEST(ReportCurves, RmsIsInPercentAndEndsWithTheFinalTrace) {
   EXPECT_NEAR(plot.curves[1].se[2], 0.1, 1e-12);
   EXPECT_EQ(plot.curves[2].x, (std::vector<double>{2}));
   EXPECT_NEAR(plot.curves[2].y[0], 10.0, 1e-12);
+}
+
+TEST(ReportCurves, NoiseOfTheStepsStandsBesideTheRmsOfOneRun) {
+  Report r = samples::report();
+  for (StepRecord& step : r.steps) step.noise = 0.05;
+  const CurvePlot plot = rms_plot({&r});
+  ASSERT_EQ(plot.curves.size(), 4U);
+  EXPECT_EQ(plot.curves[3].name, "noise");
+  EXPECT_NEAR(plot.curves[3].y[2], 5.0, 1e-12);
+  EXPECT_EQ(rms_plot({&r, &r}).curves.size(), 6U);
 }
 
 }  // namespace

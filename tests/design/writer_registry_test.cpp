@@ -17,7 +17,7 @@ TEST(WriterRegistry, WritesTheFormatsAskedFor) {
   EXPECT_FALSE(has("report.html"));
   write_report(compare_reports("t", "c", {samples::report("a"), samples::report("b")}), output_formats(),
                folder.path() / "new");
-  for (const char* name : {"compare.json", "compare.csv", "compare.png", "report.html"}) EXPECT_TRUE(has(name)) << name;
+  for (const char* name : {"compare.json", "compare.csv", "compare.png", "report.html", "maps.vti", "maps.h5"}) EXPECT_TRUE(has(name)) << name;
   for (const auto& file : std::filesystem::directory_iterator(folder.path() / "new")) {
     EXPECT_NE(file.path().extension(), ".part") << file.path();
   }
@@ -33,7 +33,8 @@ TEST(WriterRegistry, TwoRunsGiveTheSameBytes) {
 }
 
 TEST(WriterRegistry, KnowsItsFormats) {
-  EXPECT_EQ(output_formats(), (std::vector<std::string>{"json", "csv", "png", "html"}));
+  EXPECT_EQ(output_formats(), (std::vector<std::string>{"json", "csv", "png", "html", "vti", "hdf5"}));
+  EXPECT_EQ(default_output_formats(), (std::vector<std::string>{"json", "csv", "png", "html"}));
   const samples::Folder folder("unknown");
   EXPECT_THROW(write_report(samples::report(), {"docx"}, folder.path()), core::Error);
 }

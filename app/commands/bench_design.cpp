@@ -1,0 +1,144 @@
+#include "app/commands/bench_design.h"
+
+#include <algorithm>
+#include <optional>
+
+#include <CLI/CLI.hpp>
+#include <fmt/core.h>
+#include <fmt/ranges.h>
+
+#include "app/backlight_run.h"
+#include "app/bench_report.h"
+#include "app/commands/commands.h"
+#include "app/output_directory.h"
+#include "app/repeating_command.h"
+#include "core/base/error.h"
+#include "design/engine/design_start.h"
+#include "design/updaters/updater.h"
+
+namespace evenglow::app {
+namespace {
+
+const std::vector<double> kThresholds = {0.05, 0.02, 0.01, 0.005};
+constexpr const char* kSmallCase = "configs/studies/bench_design.yaml";
+constexpr const char* kFullCases[] = {"configs/phone_dbef.yaml", "configs/phone_lpp.yaml", "configs/tablet_dbef.yaml"};
+
+std::vector<std::string> updater_names(const std::vector<std::string>& wanted) {
+  std::vector<std::string> known;
+  for (const auto& entry : design::updater_registry()) known.push_back(entry.name);
+  for (const std::string& name : wanted) {
+    if (std::find(known.begin(), known.end(), name) == known.end()) {
+      throw core::ConfigError(
+          core::Fault{"--updaters", 0, 0, "", fmt::format("must be among {}, got {}", fmt::join(known, ", "), name)});
+    }
+  }
+  return wanted.empty() ? known : wanted;
+}
+
+/// The level is fixed, that of the start: all updaters solve one problem. Searches get as many steps as they need.
+design::DesignSpec bench_spec(const design::DesignSpec& given, const std::string& updater, double level) {
+  design::DesignSpec spec = given;
+  spec.goal = {};
+  spec.updater = updater;
+  if (!spec.level) spec.level = level;
+  spec.stop_rms = kThresholds.back();
+  spec.max_steps = updater == "spline" ? std::max(60, given.max_steps) : std::max(20, given.max_steps);
+  return spec;
+}
+
+struct BenchSettings {
+  std::vector<std::string> updaters;
+  int seeds;
+  const Session& session;
+  Progress& progress;
+};
+
+/// Empty: interrupted.
+std::optional<BenchCase> run_case(const std::filesystem::path& file, const Options& options,
+                                  const BenchSettings& settings) {
+  Run run = read_run(file, options, Purpose::kDesign);
+  const RunContext context{options, settings.progress, settings.session.stop, "bench-design"};
+  const tracer::DensityField start = design::first_density(run.backlight, run.design);
+  const design::DesignLimits limits = design_limits(run);
+  BenchCase bench{file.stem().string(), run.title, run.backlight.luminance.cells.size(), {}};
+  const tracer::Scene scene = tracer::compile_scene(std::move(run.backlight));
+  const std::uint64_t first_seed = run.trace.seed;
+  for (const std::string& updater : settings.updaters) {
+    for (int i = 0; i < settings.seeds; ++i) {
+      run.trace.seed = first_seed + static_cast<std::uint64_t>(i);
+      settings.progress.begin(fmt::format("{}: {}, seed {}", bench.name, updater, run.trace.seed));
+      const design::ForwardModel model = make_model(scene, run, context);
+      auto trial = run_trial(model, bench_spec(run.design, updater, start.cells.mean()), limits, start, kThresholds);
+      if (!trial) return std::nullopt;
+      trial->seed = run.trace.seed;
+      settings.progress.line(fmt::format("{}: {}, seed {}: {} steps, {:.3g} CPU s, RMS {:.2f} +- {:.2f} %", bench.name,
+                                         updater, run.trace.seed, trial->steps.size(), trial->cpu_s.back(),
+                                         100.0 * trial->judged.rms_corrected.value,
+                                         100.0 * trial->judged.rms_corrected.se));
+      bench.trials.push_back(std::move(*trial));
+    }
+  }
+  return bench;
+}
+
+}  // namespace
+
+void BenchDesignCommand::add_to(CLI::App& program) {
+  CLI::App* command = program.add_subcommand(
+      "bench-design", "how fast each updater of the design reaches 5, 2, 1 and 0.5 %: steps, photons, CPU seconds");
+  command->add_option("RUN.yaml", options_.files, "run files (default: a small phone, " + std::string(kSmallCase) + ")")
+      ->type_name("FILE");
+  command->add_option("-o,--out", options_.out, "directory for the results (default: out/bench_design)")
+      ->type_name("DIR");
+  command->add_option("--seeds", seeds_, "designs with each updater, each with a seed of its own (default 5)")
+      ->check(CLI::Range(1, 1000).description(""))
+      ->type_name("N");
+  command->add_option("--updaters", updaters_, "updaters, parted by commas (default: all)")
+      ->delimiter(',')
+      ->type_name("NAMES");
+  command->add_flag("--full", full_, "the shipped phone and tablet files in full size instead of the small case");
+  command->add_option("--set", options_.set, "change a key of the run files (may be repeated)")
+      ->type_name("KEY=VALUE")
+      ->expected(1)
+      ->take_all();
+  command->add_option("--photons", options_.photons, "photons of the largest step (trace.photons)")->type_name("N");
+  command->add_option("--threads", options_.threads, "threads (default 0: all)")
+      ->check(CLI::Range(0, 4096).description(""))
+      ->type_name("N");
+  command->add_flag("--quiet", options_.quiet, "no progress on stderr");
+  command->add_flag("--overwrite", options_.overwrite, "replace a result that is in the directory");
+  command->footer("Example: evenglow bench-design --seeds 5 -o out/bench");
+  command->callback([this] { chosen_ = true; });
+}
+
+int BenchDesignCommand::run(const Session& session) {
+  const BenchFacts facts{repeating_command("bench-design", options_) + fmt::format(" --seeds {}", seeds_) +
+                             (full_ ? " --full" : "") +
+                             (updaters_.empty() ? "" : fmt::format(" --updaters {}", fmt::join(updaters_, ","))),
+                         kThresholds, updater_names(updaters_)};
+  std::vector<std::filesystem::path> files = options_.files;
+  if (files.empty() && full_) files.assign(std::begin(kFullCases), std::end(kFullCases));
+  if (files.empty()) files = {kSmallCase};
+  const std::filesystem::path directory =
+      options_.out.empty() ? std::filesystem::path("out/bench_design") : options_.out;
+  for (const auto& file : files) read_run(file, options_, Purpose::kDesign);  // all faults before the first photon
+  check_free(directory, {}, options_);
+  make_directory(directory);
+  Progress progress(options_.quiet, options_.json_progress);
+  std::vector<BenchCase> cases;
+  for (const auto& file : files) {
+    auto bench = run_case(file, options_, {facts.updaters, seeds_, session, progress});
+    if (!bench) {
+      progress.line("interrupted: nothing was written");
+      return kInterrupted;
+    }
+    cases.push_back(std::move(*bench));
+  }
+  clear_results(directory);
+  const design::Study study = bench_study(facts, cases);
+  write_bench(study, facts, cases, directory);
+  fmt::print("{}files: {}\n", design::study_text(study), directory.string());
+  return kDone;
+}
+
+}  // namespace evenglow::app

@@ -1,0 +1,138 @@
+#include <fmt/core.h>
+
+#include "app/backlight_run.h"
+#include "app/commands/commands.h"
+#include "app/optimize_report.h"
+#include "app/output_directory.h"
+#include "app/text_output.h"
+#include "core/base/error.h"
+#include "core/config/message_text.h"
+#include "design/engine/design_start.h"
+#include "design/engine/traced_model.h"
+#include "design/report/csv_writer.h"
+#include "design/report/number_format.h"
+#include "design/report/output_file.h"
+
+namespace evenglow::app {
+namespace {
+
+constexpr std::uint32_t kVerdictStep = design::kJudgingStep - 5000U;  // random numbers of the last judgment
+
+/// The run at a point: the user's changes, then the keys of the search.
+Run run_at(const Session& session, const design::OuterSpec& outer, const std::vector<double>& values) {
+  Options options = session.options;
+  for (std::size_t i = 0; i < values.size(); ++i)
+    options.set.push_back(outer.variables[i].key + "=" + design::shortest(values[i]));
+  return read_run(session.options.files.front(), options, Purpose::kDesign);
+}
+
+/// All faults of the ranges' ends, and of the start, before the first photon.
+void check_ranges(const Session& session, const design::OuterSpec& outer) {
+  for (const double design::OuterVariable::*end :
+       {&design::OuterVariable::start, &design::OuterVariable::low, &design::OuterVariable::high}) {
+    std::vector<double> values;
+    for (const auto& v : outer.variables) values.push_back(v.*end);
+    run_at(session, outer, values);
+  }
+}
+
+struct Designed {
+  design::OuterResult result;
+  core::CellField density;
+};
+
+/// A design at these values, judged with the random numbers of `judging_step`. Empty: interrupted.
+std::optional<Designed> design_at(const Session& session, const design::OuterSpec& outer,
+                                  const std::vector<double>& values, std::uint32_t judging_step, Progress& progress) {
+  Run run = run_at(session, outer, values);
+  const RunContext context{session.options, progress, session.stop, ""};
+  const design::DesignLimits limits = design_limits(run);
+  design::DesignProgress state =
+      design::start_design(design::first_density(run.backlight, run.design), run.design, limits);
+  const tracer::Scene scene = tracer::compile_scene(std::move(run.backlight));
+  const design::ForwardModel model = make_model(scene, run, context);
+  state = run_design(model, run.design, limits, std::move(state), [](const auto&, const auto&) {});
+  if (state.stop_reason.empty()) return std::nullopt;
+  const auto judging = model(state.best_density, run.trace.photons, judging_step);
+  if (!judging) return std::nullopt;
+  const design::FinalJudgment judged = make_judgment(*judging, run.design);
+  Designed designed{{values, judged.efficiency, judged.rms_corrected, judging->photons, judging->cpu_s},
+                    state.best_density.cells};
+  for (const design::StepRecord& step : state.steps) {
+    designed.result.photons += step.photons + step.level_photons;
+    designed.result.cpu_s += step.cpu_s;
+  }
+  return designed;
+}
+
+std::vector<design::OuterResult> earlier_results(const Session& session, const std::filesystem::path& state,
+                                                 const std::string& identity) {
+  if (!session.options.resume) return {};
+  try {
+    return read_optimize_state(state, identity);
+  } catch (const core::Error& error) {
+    throw core::ConfigError(
+        core::Fault{"--resume", 0, 0, "", core::one_line(error.what()) + " (--overwrite begins anew)"});
+  }
+}
+
+std::string told(const design::OuterSpec& outer, std::size_t number, const design::OuterResult& r) {
+  std::string text = fmt::format("design {}:", number);
+  for (std::size_t i = 0; i < r.values.size(); ++i)
+    text += fmt::format(" {} {:.4g},", outer.variables[i].key, r.values[i]);
+  return text + fmt::format(" efficiency {:.2f} +- {:.2f} %, RMS {:.2f} +- {:.2f} %", 100.0 * r.efficiency.value,
+                            100.0 * r.efficiency.se, 100.0 * r.rms.value, 100.0 * r.rms.se);
+}
+
+}  // namespace
+
+int optimize_command(const Session& session) {
+  const auto& file = session.options.files.front();
+  const Run run = read_run(file, session.options, Purpose::kDesign);
+  if (run.outer.variables.empty()) {
+    throw core::ConfigError(core::Fault{file.string(), 0, 0, "optimize",
+                                        "must be a list of {key: PATH, range: [least, largest]}, got nothing"});
+  }
+  check_ranges(session, run.outer);
+  const auto directory = output_directory(session.options, file);
+  check_free(directory, {}, session.options);
+  make_directory(directory);
+  Progress progress(session.options.quiet, session.options.json_progress);
+  const std::filesystem::path state = directory / kCheckpointName;
+  const std::string identity = run_identity(run, 0);
+  const design::OuterModel model = [&](const std::vector<double>& values) -> std::optional<design::OuterResult> {
+    auto designed = design_at(session, run.outer, values, design::kJudgingStep, progress);
+    return designed ? std::optional(std::move(designed->result)) : std::nullopt;
+  };
+  const auto observer = [&](const std::vector<design::OuterResult>& results) {
+    progress.line(told(run.outer, results.size() - 1, results.back()));
+    write_whole(state, optimize_state(identity, results));
+    progress.begin(fmt::format("design {}", results.size()));
+  };
+  progress.begin("design 0");
+  const auto interrupted = [&] {
+    progress.line("interrupted: --resume goes on from the last whole design");
+    return kInterrupted;
+  };
+  const auto results = design::run_outer(model, run.outer, earlier_results(session, state, identity), observer);
+  if (!results) return interrupted();
+  OptimizeVerdict verdict;
+  verdict.best = design::best_of(*results, run.outer.rms);
+  progress.begin("start and best once more");
+  const auto start = design_at(session, run.outer, results->front().values, kVerdictStep, progress);
+  const auto best = start ? design_at(session, run.outer, (*results)[verdict.best].values, kVerdictStep - 1U, progress)
+                          : std::nullopt;
+  if (!best) return interrupted();
+  verdict.start = start->result;
+  verdict.improved = best->result;
+  clear_results(directory);
+  const design::Study study = optimize_study(run, session.program_arguments, *results, verdict);
+  write_optimize(study, run, *results, verdict, directory);
+  design::write_file(directory / "density.csv",
+                     design::matrix_csv(best->density, "density of the microstructure (share of the cell's area, 1)"));
+  std::filesystem::remove(state);
+  fmt::print("{}\n{}{}\nfiles: {}\n", study.title, design::study_text(study), study.notes.front(), directory.string());
+  return kDone;
+}
+
+}  // namespace evenglow::app

@@ -1,0 +1,42 @@
+#include <fmt/core.h>
+
+#include "app/backlight_run.h"
+#include "app/commands/commands.h"
+#include "app/front_report.h"
+#include "app/output_directory.h"
+#include "design/engine/design_start.h"
+#include "design/engine/level_front.h"
+
+namespace evenglow::app {
+
+int pareto_command(const Session& session) {
+  const auto& file = session.options.files.front();
+  Run run = read_run(file, session.options, Purpose::kDesign);
+  const auto directory = output_directory(session.options, file);
+  check_free(directory, {}, session.options);
+  make_directory(directory);
+  Progress progress(session.options.quiet, session.options.json_progress);
+  const RunContext context{session.options,           progress, session.stop,
+                           session.program_arguments, 0,        directory / kCheckpointName};
+  if (!session.options.resume) remove_point_checkpoints(context.checkpoint);
+  const tracer::DensityField start = design::first_density(run.backlight, run.design);
+  const design::DesignLimits limits = design_limits(run);
+  const design::FrontHooks hooks = front_hooks(run, context, run_identity(run, 0));
+  const tracer::Scene scene = tracer::compile_scene(std::move(run.backlight));
+  const design::ForwardModel model = make_model(scene, run, context);
+  const auto levels = run.design.pareto_levels.empty() ? front_levels(run.design, start) : run.design.pareto_levels;
+  progress.begin("point 1, step 0");
+  const auto points = design_front({model, run.design, limits, start}, levels, hooks);
+  if (!points) {
+    progress.line("interrupted: --resume goes on from the last whole step");
+    return kInterrupted;
+  }
+  clear_results(directory);
+  const design::Study study = front_study(run, session.program_arguments, *points);
+  write_front(study, run, *points, directory);
+  remove_point_checkpoints(context.checkpoint);
+  fmt::print("{}\n{}files: {}\n", study.title, design::study_text(study), directory.string());
+  return kDone;
+}
+
+}  // namespace evenglow::app

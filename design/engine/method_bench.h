@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "design/engine/design_loop.h"
+
+/// How fast each updater reaches an evenness, under one stopping rule.
+namespace evenglow::design {
+
+/// What it took until a trace showed a noise-corrected RMS at or below a threshold, with a standard error of at most
+/// half of it. That trace is not among those that made its density, so that nothing flatters it; it is counted.
+struct Effort {
+  int steps = 0;  ///< updates made
+  std::uint64_t photons = 0;
+  double cpu_s = 0.0;  ///< of traces and updates
+};
+
+struct MethodTrial {
+  std::string updater;
+  std::uint64_t seed = 0;
+  std::vector<std::optional<Effort>> efforts;  ///< for each threshold
+  std::vector<StepRecord> steps;
+  std::vector<double> cpu_s;  ///< up to the end of each step
+  std::string stop_reason;
+  FinalJudgment judged;  ///< of the best density
+};
+
+/// One design with the updater of the spec. Empty: interrupted.
+std::optional<MethodTrial> run_trial(const ForwardModel& model, const DesignSpec& spec, const DesignLimits& limits,
+                                     const tracer::DensityField& start, const std::vector<double>& thresholds);
+
+/// The efforts of an updater at a threshold over the seeds; medians of those that reached it.
+struct EffortSummary {
+  int trials = 0;
+  int reached = 0;
+  double steps = 0.0, steps_low = 0.0, steps_high = 0.0;  ///< median, least, greatest
+  double photons = 0.0, photons_low = 0.0, photons_high = 0.0;
+  double cpu_s = 0.0, cpu_low = 0.0, cpu_high = 0.0;
+};
+EffortSummary summarize(const std::vector<MethodTrial>& trials, const std::string& updater, std::size_t threshold);
+
+}  // namespace evenglow::design

@@ -1,0 +1,53 @@
+#include "design/engine/method_bench.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/coupled_backlight.h"
+
+namespace evenglow::design {
+namespace {
+
+TEST(MethodBench, CountsUntilATraceShowsTheThreshold) {
+  const tests::CoupledBacklight backlight;
+  const ForwardModel model = backlight;
+  DesignSpec spec;
+  spec.updater = "ratio_noise_aware";
+  spec.stop_rms = 0.005;
+  spec.density_min = 1e-4;
+  spec.level = 0.1;
+  const auto trial =
+      run_trial(model, spec, {100000, 16000000}, {core::CellField(backlight.grid, 0.1)}, {0.5, 0.05, 0.01, 1e-5});
+  ASSERT_TRUE(trial);
+  ASSERT_TRUE(trial->efforts[0] && trial->efforts[1] && trial->efforts[2]);
+  EXPECT_FALSE(trial->efforts[3]);
+  EXPECT_EQ(trial->efforts[0]->steps, 0);
+  EXPECT_EQ(trial->efforts[0]->photons, 100000U);
+  std::uint64_t photons = 0;
+  for (const StepRecord& record : trial->steps) {
+    photons += record.photons;
+    if (record.step == trial->efforts[2]->steps) {
+      EXPECT_LE(record.rms_corrected.value, 0.01);
+      EXPECT_LE(record.rms_corrected.se, 0.005);
+      EXPECT_EQ(photons, trial->efforts[2]->photons);
+    }
+  }
+  EXPECT_NEAR(trial->judged.rms_corrected.value, 0.005, 0.003);
+}
+
+TEST(MethodBench, MediansOfThoseThatReachedIt) {
+  std::vector<MethodTrial> trials(4);
+  for (std::size_t i = 0; i < 4; ++i) {
+    trials[i].updater = i == 3 ? "other" : "auto";
+    trials[i].efforts = {Effort{static_cast<int>(i) + 1, 100 * (i + 1), 1.0 * static_cast<double>(i)}};
+  }
+  trials[1].efforts[0].reset();
+  const EffortSummary s = summarize(trials, "auto", 0);
+  EXPECT_EQ(s.trials, 3);
+  EXPECT_EQ(s.reached, 2);
+  EXPECT_EQ(s.steps, 2.0);
+  EXPECT_EQ(s.photons_low, 100.0);
+  EXPECT_EQ(s.photons_high, 300.0);
+}
+
+}  // namespace
+}  // namespace evenglow::design
