@@ -6,7 +6,9 @@
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>
 
+#include "app/commands/bench_design.h"
 #include "app/commands/commands.h"
+#include "app/commands/dots.h"
 #include "app/commands/film.h"
 #include "app/interrupt.h"
 #include "app/repeating_command.h"
@@ -38,6 +40,17 @@ constexpr Command kCommands[] = {
      "evenglow design configs/dbef_vs_lpp.yaml -o out/phone", false, true, evenglow::app::design_command},
     {"compare", "design each variant of a file, or each of several files, and set them side by side",
      "evenglow compare configs/dbef_vs_lpp.yaml", true, true, evenglow::app::compare_command},
+    {"pareto", "evenness against efficiency: a design at each of several levels of the density",
+     "evenglow pareto configs/phone_dbef.yaml -o out/front", false, true, evenglow::app::pareto_command},
+    {"optimize", "turn a few scalar keys (list `optimize` of the file), a design of the density at each point",
+     "evenglow optimize configs/studies/phone_optimize.yaml -o out/optimize", false, true,
+     evenglow::app::optimize_command},
+    {"batch", "design each run of the files: their variants at each point of their sweep; one summary table",
+     "evenglow batch configs/*.yaml -o out/overnight", true, true, evenglow::app::batch_command},
+    {"paths", "draw the stack in section with the ways of a few photons, colored by their polarization (SVG)",
+     "evenglow paths configs/dbef_vs_lpp.yaml -o section.svg", false, false, evenglow::app::paths_command},
+    {"trace", "follow one photon: every surface that it meets, its direction and polarization",
+     "evenglow trace configs/dbef_vs_lpp.yaml --photon 42", false, false, evenglow::app::trace_command},
 };
 
 void add_trace_options(CLI::App& command, Options& options, bool resumes) {
@@ -47,6 +60,7 @@ void add_trace_options(CLI::App& command, Options& options, bool resumes) {
       ->check(CLI::Range(0, 4096).description(""))
       ->type_name("N");
   command.add_flag("--quiet", options.quiet, "no progress on stderr");
+  command.add_flag("--json-progress", options.json_progress, "progress as lines of JSON on stderr, for programs");
   command.add_flag("--overwrite", options.overwrite, "replace a result that is in the directory");
   if (resumes) command.add_flag("--resume", options.resume, "go on with an interrupted run");
 }
@@ -69,6 +83,36 @@ void add_common_options(CLI::App& command, Options& options, bool many_files) {
       .add_option("--photons", options.photons,
                   "photons of the final trace (trace.photons; default: that of the file, else 20e6)")
       ->type_name("N");
+}
+
+void add_paths_options(CLI::App& command, Options& options) {
+  command.add_option("-o,--out", options.out, "the picture (default: out/<name of the file>_paths.svg)")
+      ->type_name("FILE.svg");
+  command.add_flag("--overwrite", options.overwrite, "replace a picture that is there");
+  command.add_option("--count", options.path_count, "photons to draw (default 12)")
+      ->check(CLI::Range(0, 1000).description(""))
+      ->type_name("N");
+  command
+      .add_option("--window", options.window,
+                  "stretch along x that is drawn, mm (default: at the left edge, twelve times as long as high)")
+      ->expected(2)
+      ->type_name("FROM TO");
+}
+
+void add_photon_options(CLI::App& command, Options& options) {
+  command.add_option("--photon", options.photon, "index of the photon within its trace (default 0)")->type_name("N");
+  command.add_option("--step", options.step, "design step of the trace (default 0; simulate has no other)")
+      ->type_name("N");
+  command.add_option("--stream", options.stream, "number of the variant in a comparison, from 0 (default 0)")
+      ->type_name("N");
+}
+
+void add_schema(CLI::App& program, Options& options, bool& chosen) {
+  CLI::App* command =
+      program.add_subcommand("schema", "JSON Schema of the run file on stdout: editors complete and check with it");
+  command->add_flag("--reference", options.reference, "the keys as tables in Markdown instead");
+  command->footer("Example: evenglow schema > evenglow.schema.json");
+  command->callback([&chosen] { chosen = true; });
 }
 
 /// What is wrong with the first word, if it should be a command and is none; else empty.
@@ -117,10 +161,20 @@ int run(int argc, char** argv) {
     sub->footer(std::string("Example: ") + command.example);
     add_common_options(*sub, options, command.many_files);
     if (command.traces) add_trace_options(*sub, options, command.run != evenglow::app::simulate_command);
+    if (command.run == evenglow::app::batch_command)
+      sub->add_flag("--simulate", options.simulate, "one trace of each run instead of a design");
+    if (command.run == evenglow::app::paths_command) add_paths_options(*sub, options);
+    if (command.run == evenglow::app::trace_command) add_photon_options(*sub, options);
     sub->callback([&chosen, &command] { chosen = &command; });
   }
+  bool schema = false;
+  add_schema(program, options, schema);
   evenglow::app::FilmGroup films;
   films.add_to(program);
+  evenglow::app::DotsCommand dots;
+  dots.add_to(program);
+  evenglow::app::BenchDesignCommand bench;
+  bench.add_to(program);
   for (CLI::App* command : program.get_subcommands([](CLI::App*) { return true; })) command->group("Commands");
   try {
     program.parse(argc, argv);
@@ -130,6 +184,9 @@ int run(int argc, char** argv) {
     return refuse(program, error, argc, argv);
   }
   const evenglow::app::InterruptGuard interrupt;
+  if (schema) return evenglow::app::schema_command({options, interrupt.token(), "evenglow schema"});
+  if (dots.chosen()) return dots.run({options, interrupt.token(), "dots"});
+  if (bench.chosen()) return bench.run({options, interrupt.token(), "bench-design"});
   if (films.chosen() != nullptr) return films.chosen()->run({options, interrupt.token(), "film"});
   return chosen->run({options, interrupt.token(), evenglow::app::repeating_command(chosen->name, options)});
 }

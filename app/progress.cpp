@@ -3,12 +3,19 @@
 #include <cstdio>
 
 #include <fmt/core.h>
+#include <nlohmann/json.hpp>
 #include <unistd.h>
 
 namespace evenglow::app {
 namespace {
 
+using Json = nlohmann::ordered_json;
+
 constexpr int kBarWidth = 24;
+
+std::string text_of(const Json& json) {
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
 
 std::string bar(double share) {
   const int filled = static_cast<int>(share * kBarWidth);
@@ -18,7 +25,8 @@ std::string bar(double share) {
 
 }  // namespace
 
-Progress::Progress(bool quiet) : quiet_(quiet), terminal_(isatty(STDERR_FILENO) != 0) {}
+Progress::Progress(bool quiet, bool json)
+    : quiet_(quiet), json_(json), terminal_(!json && isatty(STDERR_FILENO) != 0) {}
 
 Progress::~Progress() {
   clear();
@@ -37,27 +45,66 @@ void Progress::begin(const std::string& label) {
   start_ = last_ = std::chrono::steady_clock::now();
 }
 
+void Progress::prefix(const std::string& text) {
+  const std::lock_guard lock(mutex_);
+  prefix_ = text;
+}
+
 void Progress::photons(std::uint64_t done, std::uint64_t all) {
-  if (quiet_ || !terminal_) return;
+  if (quiet_ || !(terminal_ || json_)) return;
   const std::lock_guard lock(mutex_);
   const auto now = std::chrono::steady_clock::now();
   if (done < all && now - last_ < std::chrono::milliseconds(100)) return;
   last_ = now;
   const double seconds = std::chrono::duration<double>(now - start_).count();
   const double rate = static_cast<double>(done) / (seconds > 0.0 ? seconds : 1e-9);
-  const double left = static_cast<double>(all - done) / rate;
-  fmt::print(stderr, "\r\033[K{} [{}] {:.2f} million photons/s, {:.0f} s left", label_,
+  draw(done, all, rate, static_cast<double>(all - done) / rate);
+}
+
+void Progress::draw(std::uint64_t done, std::uint64_t all, double rate, double left) {
+  if (json_) {
+    return write(text_of({{"event", "photons"},
+                          {"label", prefix_ + label_},
+                          {"done", done},
+                          {"all", all},
+                          {"photons_per_s", rate},
+                          {"left_s", left}}));
+  }
+  fmt::print(stderr, "\r\033[K{}{} [{}] {:.2f} million photons/s, {:.0f} s left", prefix_, label_,
              bar(static_cast<double>(done) / static_cast<double>(all)), rate * 1e-6, left);
   std::fflush(stderr);
   drawn_ = true;
 }
 
-void Progress::line(const std::string& text) {
-  if (quiet_) return;
-  const std::lock_guard lock(mutex_);
+void Progress::write(const std::string& text) {
   clear();
   fmt::print(stderr, "{}\n", text);
   std::fflush(stderr);
+}
+
+void Progress::line(const std::string& text) {
+  if (quiet_) return;
+  const std::lock_guard lock(mutex_);
+  write(json_ ? text_of({{"event", "line"}, {"text", prefix_ + text}}) : prefix_ + text);
+}
+
+void Progress::step(const std::string& label, const design::StepRecord& r) {
+  if (!json_) return line(label.empty() ? describe(r) : label + ": " + describe(r));
+  if (quiet_) return;
+  const std::lock_guard lock(mutex_);
+  write(text_of({{"event", "step"},
+                 {"label", prefix_ + label},
+                 {"step", r.step},
+                 {"photons", r.photons},
+                 {"rms", r.rms},
+                 {"rms_corrected", r.rms_corrected.value},
+                 {"rms_corrected_se", r.rms_corrected.se},
+                 {"efficiency", r.efficiency.value},
+                 {"efficiency_se", r.efficiency.se},
+                 {"mean_density", r.mean_density},
+                 {"luminance_mean_cd_m2", r.luminance_mean},
+                 {"cpu_s", r.cpu_s},
+                 {"wall_s", r.wall_s}}));
 }
 
 std::string describe(const design::StepRecord& r) {

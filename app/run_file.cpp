@@ -22,11 +22,19 @@ void check_version(const core::ConfigNode& root) {
 }
 
 Run read(ConfigDocument& document, const std::vector<ConfigDocument::Override>& overrides, Purpose purpose) {
+  for (const auto& change : overrides) document.apply(change);
+  Run run = read_keys(document, purpose);
+  for (const auto& change : overrides) run.overrides.push_back(change.path + "=" + change.yaml);
+  document.finish();
+  return run;
+}
+
+}  // namespace
+
+Run read_keys(const ConfigDocument& document, Purpose purpose) {
   Run run;
-  for (const auto& change : overrides) {
-    document.apply(change);
-    run.overrides.push_back(change.path + "=" + change.yaml);
-  }
+  document.variants();  // counts as read
+  document.sweep();
   const core::ConfigNode root = document.root();
   check_version(root);
   run.title = root.text({"title", "one line for the report", document.name()});
@@ -39,17 +47,18 @@ Run read(ConfigDocument& document, const std::vector<ConfigDocument::Override>& 
   }
   run.trace = tracer::read_trace(root.map("trace", "how it is traced"));
   run.design = design::read_design(root.map("design", "how it is designed"));
-  const auto formats = design::output_formats();
-  run.output =
-      root.choices({"output", "formats of the result files", formats, fmt::format("{}", fmt::join(formats, ","))});
+  run.outer = design::read_outer(root);
+  const std::string shape = run.backlight.microstructure ? run.backlight.microstructure->shape.kind : "";
+  run.dots = design::read_dots(
+      root.map("dots", "how the density becomes real dots (evenglow dots)"),
+      shape == "pyramid" || shape == "v_groove" ? core::Footprint::square : core::Footprint::round);
+  run.output = root.choices({"output", "formats of the result files", design::output_formats(),
+                             fmt::format("{}", fmt::join(design::default_output_formats(), ","))});
   if (run.output.empty()) root.fault_at("output", "must name at least one format, got none");
   run.file_text = document.source_text();
   run.data_files = document.files();
-  document.finish();
   return run;
 }
-
-}  // namespace
 
 std::vector<core::ConfigDocument::Override> option_overrides(const Options& options) {
   std::vector<core::ConfigDocument::Override> result;
@@ -66,33 +75,51 @@ std::vector<core::ConfigDocument::Override> option_overrides(const Options& opti
 }
 
 Run read_run(const std::filesystem::path& file, const Options& options, Purpose purpose) {
+  return read_point(file, {}, options, purpose);
+}
+
+Run read_point(const std::filesystem::path& file, const RunPoint& point, const Options& options, Purpose purpose) {
   ConfigDocument document = ConfigDocument::load(file);
-  document.variants();  // counts as read
-  return read(document, option_overrides(options), purpose);
+  std::vector<ConfigDocument::Override> overrides = point.changes;
+  const auto from_options = option_overrides(options);
+  overrides.insert(overrides.end(), from_options.begin(), from_options.end());
+  Run run = read(document, overrides, purpose);
+  run.variant = point.name;
+  return run;
+}
+
+std::vector<RunPoint> run_points(const std::filesystem::path& file) {
+  const ConfigDocument document = ConfigDocument::load(file);
+  auto variants = document.variants();
+  auto sweep = document.sweep();
+  if (variants.empty()) variants.push_back({});
+  if (sweep.empty()) sweep.push_back({});
+  std::vector<RunPoint> points;
+  for (const auto& [variant, variant_changes] : variants) {
+    for (const auto& [place, sweep_changes] : sweep) {
+      RunPoint point{variant + (variant.empty() || place.empty() ? "" : "_") + place, variant_changes};
+      point.changes.insert(point.changes.end(), sweep_changes.begin(), sweep_changes.end());
+      points.push_back(std::move(point));
+    }
+  }
+  return points;
 }
 
 std::vector<Run> read_variants(const std::filesystem::path& file, const Options& options, Purpose purpose) {
-  const auto from_options = option_overrides(options);
-  ConfigDocument first = ConfigDocument::load(file);
-  const auto variants = first.variants();
+  const auto variants = ConfigDocument::load(file).variants();
   std::vector<Run> runs;
   if (variants.empty()) {
-    runs.push_back(read(first, from_options, purpose));
+    runs.push_back(read_run(file, options, purpose));
     return runs;
   }
   std::vector<core::Fault> faults;
   for (const auto& [name, changes] : variants) {
     if (is_result_name(name)) {
       faults.push_back(
-          {first.name(), 0, 0, "variants." + name, "must not have the name of a result file, got " + name});
+          {file.string(), 0, 0, "variants." + name, "must not have the name of a result file, got " + name});
     }
-    ConfigDocument document = ConfigDocument::load(file);
-    document.variants();
-    auto overrides = changes;
-    overrides.insert(overrides.end(), from_options.begin(), from_options.end());
     try {
-      runs.push_back(read(document, overrides, purpose));
-      runs.back().variant = name;
+      runs.push_back(read_point(file, {name, changes}, options, purpose));
     } catch (const core::ConfigError& error) {
       for (const core::Fault& fault : error.faults()) {
         const auto same = [&](const core::Fault& other) { return other.to_string() == fault.to_string(); };

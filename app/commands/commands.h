@@ -19,5 +19,11 @@ int check_command(const Session& session);
 int simulate_command(const Session& session);
 int design_command(const Session& session);
 int compare_command(const Session& session);
+int pareto_command(const Session& session);
+int optimize_command(const Session& session);
+int batch_command(const Session& session);
+int schema_command(const Session& session);
+int trace_command(const Session& session);
+int paths_command(const Session& session);
 
 }  // namespace evenglow::app

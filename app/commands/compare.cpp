@@ -55,7 +55,7 @@ int compare_command(const Session& session) {
   make_directory(directory);
   const std::string title = runs.front().title;
   const auto formats = runs.front().output;
-  Progress progress(session.options.quiet);
+  Progress progress(session.options.quiet, session.options.json_progress);
   std::vector<design::Report> reports;
   for (std::size_t i = 0; i < runs.size(); ++i) {
     const auto place = directory / runs[i].variant;

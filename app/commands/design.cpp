@@ -12,7 +12,7 @@ int design_command(const Session& session) {
   check_free(directory, {}, session.options);
   make_directory(directory);
   const auto formats = run.output;
-  Progress progress(session.options.quiet);
+  Progress progress(session.options.quiet, session.options.json_progress);
   const RunContext context{session.options,           progress, session.stop,
                            session.program_arguments, 0,        directory / kCheckpointName};
   const auto report = run_design_job(std::move(run), context);

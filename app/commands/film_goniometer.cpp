@@ -35,7 +35,7 @@ GoniometerRun read_run_file(const std::filesystem::path& file, const Options& op
   GoniometerRun run;
   run.facts.title = root.text({"title", "one line for the report", document.name()});
   run.spec = tracer::read_goniometer(root.map("goniometer", "film, lamp, filter and detector", true));
-  run.trace = tracer::read_trace(root.map("trace", "photons of each setting of film and filter"));
+  run.trace = tracer::read_photons(root.map("trace", "photons of each setting of film and filter"));
   document.finish();
   run.facts.command = repeating_command("film goniometer", options);
   run.facts.run_file_sha256 = core::sha256_hex(document.source_text());

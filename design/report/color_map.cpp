@@ -65,12 +65,38 @@ ColorMap::ColorMap(const Path& path) : colors_{} {
 }
 
 const ColorMap& ColorMap::luminance() {
-  static const ColorMap map({15, 91, 318, 100, 40, -1, 84});
+  static const ColorMap map(Path{15, 91, 318, 100, 40, -1, 84});
   return map;
 }
 
 const ColorMap& ColorMap::density() {
-  static const ColorMap map({14, 95, 250, 180, 15.5, 28.5, 8});
+  static const ColorMap map(Path{14, 95, 250, 180, 15.5, 28.5, 8});
+  return map;
+}
+
+const ColorMap& ColorMap::difference() {
+  static const ColorMap map([] {
+    std::array<Rgb, 256> colors;
+    for (std::size_t i = 0; i < colors.size(); ++i) {
+      const double t = static_cast<double>(i) / 255.0;
+      const double away = std::abs(2.0 * t - 1.0);
+      colors[i] = nearest_srgb(std::lerp(93.0, 35.0, away), 44.0 * away, t < 0.5 ? 272.0 : 38.0);
+    }
+    return colors;
+  }());
+  return map;
+}
+
+const ColorMap& ColorMap::rainbow() {
+  static const ColorMap map([] {
+    std::array<Rgb, 256> colors;
+    for (std::size_t i = 0; i < colors.size(); ++i) {
+      const double t = static_cast<double>(i) / 255.0;
+      const auto ramp = [&](double center) { return std::clamp(1.5 - std::abs(4.0 * t - center), 0.0, 1.0); };
+      colors[i] = {ramp(3.0), ramp(2.0), ramp(1.0)};
+    }
+    return colors;
+  }());
   return map;
 }
 

@@ -27,11 +27,14 @@ void write_matrix(const core::CellField& field, const std::string& quantity, con
 std::string convergence_csv(const Report& report) {
   std::string text =
       "step,photons,rms,rms_corrected,rms_corrected_se,efficiency,efficiency_se,mean_density,luminance_mean_cd_m2,"
-      "cpu_s,wall_s\n";
+      "cpu_s,wall_s,noise,held_low,held_high,level_photons,updater\n";
   for (const StepRecord& s : report.steps) {
     text += row(fmt::format("{},{}", s.step, s.photons),
                 {s.rms, s.rms_corrected.value, s.rms_corrected.se, s.efficiency.value, s.efficiency.se, s.mean_density,
-                 s.luminance_mean, s.cpu_s, s.wall_s});
+                 s.luminance_mean, s.cpu_s, s.wall_s, s.noise, static_cast<double>(s.held_low),
+                 static_cast<double>(s.held_high), static_cast<double>(s.level_photons)});
+    text.back() = ',';
+    text += csv_field(s.updater) + '\n';
   }
   return text;
 }

@@ -45,6 +45,10 @@ Axis x_axis_of(const CurvePlot& plot, int wanted_ticks) {
   Extent extent;
   for (const Curve& curve : plot.curves) {
     for (const double x : curve.x) extent.include(x);
+    if (curve.stepped && curve.x.size() > 1) {
+      extent.include(1.5 * curve.x.front() - 0.5 * curve.x[1]);
+      extent.include(1.5 * curve.x.back() - 0.5 * curve.x[curve.x.size() - 2]);
+    }
   }
   if (extent.empty()) extent = {0.0, 1.0};
   if (plot.integer_x) return integer_axis(static_cast<int>(extent.low), static_cast<int>(extent.high), wanted_ticks);

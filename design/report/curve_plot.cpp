@@ -83,13 +83,26 @@ class CurvePainter {
       run.clear();
     };
     for (std::size_t i = 0; i < curve.y.size(); ++i) {
-      if (shown(curve, i)) {
-        run.push_back(inside(curve.x[i], curve.y[i]));
-      } else {
+      if (!shown(curve, i)) {
         flush();
+      } else if (curve.stepped) {
+        run.push_back(inside(border(curve, i, -1), curve.y[i]));
+        run.push_back(inside(border(curve, i, 1), curve.y[i]));
+      } else {
+        run.push_back(inside(curve.x[i], curve.y[i]));
       }
     }
     flush();
+  }
+
+  /// Middle between point i and its neighbor on this side; at the ends as far as on the other side, within the axes.
+  double border(const Curve& curve, std::size_t i, int side) const {
+    const std::size_t last = curve.x.size() - 1;
+    const bool outer = side < 0 ? i == 0 : i == last;
+    const std::size_t neighbor = (side < 0) == outer ? i + 1 : i - 1;
+    if (last == 0) return clamped(curve.x[i] + side, frame_.x.range.low, frame_.x.range.high);
+    const double step = 0.5 * std::abs(curve.x[neighbor] - curve.x[i]);
+    return clamped(curve.x[i] + side * (std::isfinite(step) ? step : 0.0), frame_.x.range.low, frame_.x.range.high);
   }
 
   void band(const Curve& curve) const {

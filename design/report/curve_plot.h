@@ -20,6 +20,7 @@ struct Curve {
   bool dashed = false;
   Mark shape = Mark::disc;
   bool in_legend = true;
+  bool stepped = false;  ///< constant about each point to the middle of its neighbors: a histogram
 };
 
 struct CurvePlot {

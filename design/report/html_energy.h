@@ -7,7 +7,7 @@
 
 namespace evenglow::design {
 
-/// Where the light went: a bar of 100 % for each report and a table of percent with errors. What leaves by the top
+/// Where the light went: a flow diagram for each report and a table of percent with errors. What leaves by the top
 /// first, then by size (the greatest of all reports); the last row is the sum.
 std::string energy_section(const std::vector<const Report*>& reports);
 

@@ -144,10 +144,16 @@ std::string step_table(const Report& report) {
 }
 
 std::string note_list(const Report& report) {
-  if (report.notes.empty()) return "";
-  std::string html = "<ul>\n";
-  for (const std::string& note : report.notes) html += "<li>" + html_escape(note) + "</li>\n";
-  return html + "</ul>\n";
+  std::vector<std::string> of_films;  // stand in the table of the films
+  for (std::size_t i = 0; i < report.films.size(); ++i) {
+    for (const std::string& remark : report.films[i].remarks) of_films.push_back(film_note(i, report.films[i], remark));
+  }
+  std::string items;
+  for (const std::string& note : report.notes) {
+    if (std::find(of_films.begin(), of_films.end(), note) == of_films.end())
+      items += "<li>" + html_escape(note) + "</li>\n";
+  }
+  return items.empty() ? "" : "<ul>\n" + items + "</ul>\n";
 }
 
 std::string fact_table(const std::vector<std::pair<std::string, std::string>>& facts) {
@@ -166,6 +172,7 @@ std::string repeat_table(const Report& report) {
                                                          {"SHA-256 of the run file", report.run_file_sha256}};
   if (!changes.empty()) facts.emplace_back("Changes to the run file", changes);
   facts.emplace_back("Luminance", report.luminance_estimator);
+  if (!report.processor.empty()) facts.emplace_back("Processor", report.processor);
   facts.emplace_back("Time", duration(report.timing.wall_s) + " (" + duration(report.timing.cpu_s) + " CPU) on " +
                                  std::to_string(report.threads) + " threads, " + std::to_string(report.ranks) +
                                  " ranks; " + rounded(report.timing.photons_per_cpu_s, 3) + " photons per CPU second");

@@ -16,7 +16,7 @@ std::string ratio_cards(const Comparison& comparison);
 std::string final_table(const std::vector<const Report*>& reports);
 /// A row for each step.
 std::string step_table(const Report& report);
-/// List of the remarks; empty if there are none.
+/// List of the remarks but those on films, which stand in their table; empty if there are none.
 std::string note_list(const Report& report);
 /// Command, version, seed, checksum and machine.
 std::string repeat_table(const Report& report);

@@ -43,13 +43,16 @@ std::string map_figure(const MapFigure& map, PageData& data) {
   const double width = grid.nx * grid.dx;
   const double height = grid.ny * grid.dy;
   std::string html = fmt::format("<figure class=\"map\" data-map=\"{}\">\n",
-                                 data.add_map(*map.field, map.se, map.unit, map.colors, map.scale));
+                                 data.add_map(*map.field, map.se,
+                                              {map.title, map.quantity.empty() ? map.colors : map.quantity, map.unit,
+                                               map.colors, map.scale, map.series}));
   html += caption_element(map.title, map.caption);
   // A high panel must not push the page apart: its width is what makes it 460 px high.
   const double max_width = std::max(60.0, 460.0 * width / height);
   html += fmt::format("<div class=\"field\" style=\"max-width:{:.0f}px\">\n", max_width);
   html += fmt::format(
-      "<canvas style=\"aspect-ratio:{:.4f}\" role=\"img\" aria-label=\"{}\"><!-- drawn by the script below "
+      "<canvas tabindex=\"0\" style=\"aspect-ratio:{:.4f}\" role=\"img\" aria-label=\"{}\"><!-- drawn by the script "
+      "below "
       "--></canvas>\n",
       width / height, html_escape(map.title + ", " + map.caption));
   html += ticks_element(grid.x0, width, width < 0.6 * height ? 2 : 5, true);
@@ -87,10 +90,14 @@ std::string polar_figure(const std::string& title, const AngularLuminance& angul
 }
 
 std::string figure_group(const std::string& layout, const std::string& figures, const std::string& id) {
-  const std::string button =
-      id.empty() ? "" : fmt::format("<button type=\"button\" data-scales=\"{}\"></button>\n", html_escape(id));
-  const std::string name = id.empty() ? "" : fmt::format(" id=\"{}\"", html_escape(id));
-  return fmt::format("{}<div class=\"{}\"{}>\n{}</div>\n", button, layout, name, figures);
+  if (id.empty()) return fmt::format("<div class=\"{}\">\n{}</div>\n", layout, figures);
+  const std::string name = html_escape(id);
+  return fmt::format(
+      "<div class=\"tools\"><button type=\"button\" data-scales=\"{0}\"></button>\n"
+      "<button type=\"button\" data-palette></button></div>\n"
+      "<div class=\"{1}\" id=\"{0}\">\n{2}</div>\n"
+      "<div class=\"cut\" data-cut=\"{0}\"></div>\n",
+      name, layout, figures);
 }
 
 }  // namespace evenglow::design

@@ -15,8 +15,10 @@ struct MapFigure {
   const core::CellField* field = nullptr;
   const core::CellField* se = nullptr;  ///< or none
   std::string unit;
-  std::string colors;  ///< "luminance" or "density"
+  std::string colors;  ///< "luminance", "density" or "difference"
   ValueScale scale;
+  std::string quantity{};  ///< maps of one quantity in a group share the sections; empty: that of the colors
+  int series = -1;         ///< color of its curve in the sections (`series_ink`); -1: by its place in the group
 };
 
 /// A map with axes in mm, color bar and read-out; a remark if the field has no values.
@@ -29,8 +31,9 @@ std::string curve_figure(const CurvePlot& plot, const std::string& note, PageDat
 /// brightest color.
 std::string polar_figure(const std::string& title, const AngularLuminance& angular, double top, PageData& data);
 
-/// Figures side by side while there is room; `layout` is "two" or "three". `id` not empty: its maps can be switched
-/// between a common scale and one for each.
+/// Figures side by side while there is room; `layout` is "two" or "three". `id` not empty: the group has switches of
+/// scale (common, or one for each map) and colors (perceptually uniform, or the rainbow of the literature), and below
+/// it the sections along x and y through the cell that is pointed at, of all maps of that quantity.
 std::string figure_group(const std::string& layout, const std::string& figures, const std::string& id);
 
 }  // namespace evenglow::design

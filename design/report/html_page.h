@@ -16,7 +16,7 @@ std::string joined(std::initializer_list<std::string> parts);
 
 /// The style sheet: light, dark (as the reader's system asks) and print.
 std::string_view page_style();
-/// The script: draws maps from the page's data and reads out values under the pointer.
-std::string_view page_script();
+/// The script: draws maps from the page's data, reads out values under the pointer, links maps and sections.
+std::string page_script();
 
 }  // namespace evenglow::design

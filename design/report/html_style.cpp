@@ -34,6 +34,7 @@ figcaption { font-weight: 600; margin-bottom: 6px; }
 figcaption small { display: block; font-weight: 400; font-size: .86rem; }
 svg { display: block; width: 100%; max-width: 560px; height: auto; touch-action: pan-y; }
 svg text { font-family: inherit; }
+.section svg { max-width: none; }
 .i-text { --c: var(--text); } .i-muted { --c: var(--muted); } .i-grid { --c: var(--grid); }
 .i-s1 { --c: var(--s1); } .i-s2 { --c: var(--s2); } .i-s3 { --c: var(--s3); } .i-s4 { --c: var(--s4); }
 .i-s5 { --c: var(--s5); } .i-s6 { --c: var(--s6); }
@@ -47,6 +48,14 @@ svg text { font-family: inherit; }
 .read { display: block; min-height: 1.4em; font-size: .86rem; color: var(--muted); font-variant-numeric: tabular-nums; }
 .map .field { position: relative; margin: 0 8px 40px 44px; }
 .map canvas { display: block; width: 100%; image-rendering: pixelated; cursor: crosshair; touch-action: pan-y; }
+.map .cross { position: absolute; pointer-events: none; background: #fff; mix-blend-mode: difference; opacity: .8; }
+.map .cross[hidden] { display: none; } .map .cross.v { width: 1px; top: 0; bottom: 0; } .map .cross.h { height: 1px; left: 0; right: 0; }
+.map canvas:focus-visible { outline: 2px solid var(--accent); outline-offset: 1px; }
+.tools { display: flex; flex-wrap: wrap; gap: 0 10px; }
+.cut { display: grid; gap: 8px 26px; margin: -8px 0 26px; grid-template-columns: repeat(auto-fill, minmax(min(100%, 420px), 1fr)); }
+.cut svg { cursor: crosshair; } .cut figcaption { font-size: .86rem; } .cut .read { grid-column: 1 / -1; }
+.cut .key { margin-left: 14px; white-space: nowrap; }
+.cut .key i { display: inline-block; width: 16px; vertical-align: middle; margin-right: 5px; border-top: 2.5px solid var(--c); }
 .map .ticks span { position: absolute; font-size: .75rem; line-height: 1; color: var(--muted); white-space: nowrap; }
 .map .tx span { top: calc(100% + 7px); transform: translateX(-50%); }
 .map .ty span { right: calc(100% + 7px); transform: translateY(50%); }
@@ -68,13 +77,16 @@ th, td { padding: 5px 18px 5px 0; text-align: left; vertical-align: top; border-
 th { font-weight: 600; } thead th { color: var(--muted); font-weight: 500; vertical-align: bottom; }
 td.n, th.n { text-align: right; white-space: nowrap; } tr.sum > * { font-weight: 600; border-bottom: 0; }
 table.facts td { overflow-wrap: anywhere; } table.facts th { white-space: nowrap; font-weight: 500; color: var(--muted); }
-.stack { display: flex; height: 26px; border-radius: 4px; overflow: hidden; background: var(--grid); margin: 2px 0 12px; }
-.stack i { flex: 0 0 auto; min-width: 0; box-shadow: inset -1px 0 var(--bg); }
+svg.energy { min-width: 480px; } .flow { fill-opacity: .38; }
+.flows figcaption { margin-top: 6px; } g:hover > .flow { fill-opacity: .6; }
+.f-source { fill: var(--muted); } .f-side, .f-absorbed { fill: var(--rest); }
 .swatch { display: inline-block; width: 11px; height: 11px; border-radius: 2px; margin-right: 8px; }
-.e0 { background: var(--s1); } .e1 { background: var(--s2); } .e2 { background: var(--s3); } .e3 { background: var(--s4); }
-.e4 { background: var(--s5); } .e5 { background: var(--s6); } .e6 { background: var(--s1); opacity: .45; }
-.e7 { background: var(--s2); opacity: .45; } .e8 { background: var(--s3); opacity: .45; }
-.e9 { background: var(--s4); opacity: .45; } .e10 { background: var(--rest); }
+.e0 { background: var(--s1); fill: var(--s1); } .e1 { background: var(--s2); fill: var(--s2); }
+.e2 { background: var(--s3); fill: var(--s3); } .e3 { background: var(--s4); fill: var(--s4); }
+.e4 { background: var(--s5); fill: var(--s5); } .e5 { background: var(--s6); fill: var(--s6); }
+.e6 { background: var(--s1); fill: var(--s1); opacity: .6; } .e7 { background: var(--s2); fill: var(--s2); opacity: .6; }
+.e8 { background: var(--s3); fill: var(--s3); opacity: .6; } .e9 { background: var(--s4); fill: var(--s4); opacity: .6; }
+.e10 { background: var(--rest); fill: var(--rest); }
 pre { background: var(--panel); border: 1px solid var(--line); border-radius: 6px; padding: 12px 14px; overflow-x: auto;
   font: .82rem/1.45 ui-monospace, "DejaVu Sans Mono", monospace; overflow-wrap: normal; }
 code { font: .88em ui-monospace, "DejaVu Sans Mono", monospace; }
@@ -88,9 +100,9 @@ ul { padding-left: 20px; margin: 6px 0; }
   :root { --bg: #fff; --panel: #fff; --text: #000; --muted: #444; --grid: #ddd; --line: #ccc; --accent: #000; --s1: #1761b8;
     --s2: #c25708; --s3: #15805f; --s4: #8449ab; --s5: #94740a; --s6: #bd2f55; --rest: #b9c0c7; color-scheme: light; }
   * { print-color-adjust: exact; -webkit-print-color-adjust: exact; }
-  body { font-size: 10pt; } main { max-width: none; padding: 0; } button, .hint, .read { display: none; }
+  body { font-size: 10pt; } main { max-width: none; padding: 0; } button, .hint, .read:not(.cutread), .map .cross { display: none; }
   figure, .card, tr { break-inside: avoid; } h2, h3 { break-after: avoid; } pre { white-space: pre-wrap; }
-  .two { grid-template-columns: 1fr 1fr; } .three { grid-template-columns: 1fr 1fr 1fr; } .scroll { overflow: visible; } }
+  .two, .cut { grid-template-columns: 1fr 1fr; } .three { grid-template-columns: 1fr 1fr 1fr; } .scroll { overflow: visible; } }
 )css";
 }
 

@@ -26,7 +26,12 @@ Json steps_of(const Report& report) {
                      {"efficiency", s.efficiency.value},
                      {"efficiency_se", s.efficiency.se},
                      {"mean_density", s.mean_density},
-                     {"luminance_mean_cd_m2", s.luminance_mean}});
+                     {"luminance_mean_cd_m2", s.luminance_mean},
+                     {"noise", s.noise},
+                     {"held_low", s.held_low},
+                     {"held_high", s.held_high},
+                     {"updater", s.updater},
+                     {"level_photons", s.level_photons}});
   }
   return steps;
 }
@@ -42,7 +47,9 @@ Json final_of(const FinalJudgment& f) {
           {"luminance_mean_se", f.luminance_mean.se},
           {"luminance_centre_cd_m2", f.luminance_center},
           {"efficiency", f.efficiency.value},
-          {"efficiency_se", f.efficiency.se}};
+          {"efficiency_se", f.efficiency.se},
+          {"rms_95_low", f.rms_low},
+          {"rms_95_high", f.rms_high}};
 }
 
 /// A key for a name, or for its second bearer "name (2)": no share is lost from the sum.
@@ -78,6 +85,7 @@ Json timing_of(const Report& report) {
   return {{"wall_s", report.timing.wall_s},
           {"cpu_s", report.timing.cpu_s},
           {"photons_per_cpu_s", report.timing.photons_per_cpu_s},
+          {"processor", report.processor},
           {"steps", std::move(steps)}};
 }
 

@@ -69,6 +69,10 @@ PlotSize map_size(const core::CellField& field, const PlotSize& limits, double t
   return {area.width + (room_left + room_right) * text_size, area.height + (room_top + room_bottom) * text_size};
 }
 
+double caption_right(const Drawing& drawing, const MapPlot& map, double text_size) {
+  return room_left * text_size + drawing.text_width(map.caption, {text_size, Align::left, Ink::muted, false, false});
+}
+
 Box draw_map(CairoDrawing& drawing, const MapPlot& map, const Box& box, double text_size) {
   const TextStyle title{1.15 * text_size, Align::left, Ink::text, true, false};
   const TextStyle caption{text_size, Align::left, Ink::muted, false, false};

@@ -24,6 +24,8 @@ struct PlotSize {
   double height = 0.0;
 };
 PlotSize map_size(const core::CellField& field, const PlotSize& limits, double text_size);
+/// Where a map's caption ends if nothing is cut off, px from the left of its box.
+double caption_right(const Drawing& drawing, const MapPlot& map, double text_size);
 
 /// Draws the map as large as the box allows and returns where its cells stand; without values, only the title and a
 /// remark.

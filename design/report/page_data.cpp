@@ -42,14 +42,14 @@ std::string PageData::add(std::string object) {
   return name;
 }
 
-std::string PageData::add_map(const core::CellField& field, const core::CellField* se, std::string_view unit,
-                              std::string_view colors, const ValueScale& scale) {
+std::string PageData::add_map(const core::CellField& field, const core::CellField* se, const MapFacts& facts) {
   const core::CellGrid& g = field.grid;
   const bool with_se = se != nullptr && se->grid == g && is_filled(*se);
-  return add(fmt::format(
-      R"({{"nx":{},"ny":{},"x0":{},"y0":{},"dx":{},"dy":{},"unit":{},"colors":{},"scale":[{},{}],"v":{},"s":{}}})",
-      g.nx, g.ny, g.x0, g.y0, g.dx, g.dy, json_string(unit), json_string(colors), scale.low, scale.high,
-      list(field.values), with_se ? list(se->values) : "[]"));
+  return add(fmt::format(R"({{"nx":{},"ny":{},"x0":{},"y0":{},"dx":{},"dy":{},"name":{},"quantity":{},"unit":{},)"
+                         R"("colors":{},"series":{},"scale":[{},{}],"v":{},"s":{}}})",
+                         g.nx, g.ny, g.x0, g.y0, g.dx, g.dy, json_string(facts.name), json_string(facts.quantity),
+                         json_string(facts.unit), json_string(facts.colors), facts.series, facts.scale.low,
+                         facts.scale.high, list(field.values), with_se ? list(se->values) : "[]"));
 }
 
 std::string PageData::add_polar(const AngularLuminance& angular, std::string_view unit, double top) {
@@ -72,8 +72,10 @@ std::string PageData::add_curves(const CurvePlot& plot, const PlotFrame& frame, 
 }
 
 std::string PageData::json() const {
-  return script_safe(fmt::format("{{\"colors\":{{\"luminance\":\"{}\",\"density\":\"{}\"}}{}}}",
-                                 ColorMap::luminance().hex(), ColorMap::density().hex(), objects_));
+  return script_safe(
+      fmt::format(R"({{"colors":{{"luminance":"{}","density":"{}","difference":"{}","rainbow":"{}"}}{}}})",
+                  ColorMap::luminance().hex(), ColorMap::density().hex(), ColorMap::difference().hex(),
+                  ColorMap::rainbow().hex(), objects_));
 }
 
 }  // namespace evenglow::design

@@ -51,7 +51,9 @@ Box bar_beside(const Box& area, double right) {
 
 void write_map(MapPlot map, const std::string& unit, const std::filesystem::path& path) {
   const PlotSize size = map_size(*map.field, {1600.0 - bar_room, 1200.0}, text_size);
-  const double map_width = std::max(size.width, 900.0 - bar_room);
+  // A tall map is narrower than what is to be read above it.
+  const double caption = std::ceil(caption_right(CairoDrawing(1, 1), map, text_size)) + text_size - bar_room;
+  const double map_width = std::max({size.width, 900.0 - bar_room, std::min(caption, 1600.0 - bar_room)});
   CairoDrawing drawing(pixels(map_width + bar_room), pixels(std::max(size.height, 13.0 * text_size)));
   map.text_room = bar_room - text_size;
   const Box area = draw_map(drawing, map, {0, 0.2 * text_size, map_width, size.height}, text_size);

@@ -4,6 +4,8 @@
 #include <set>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "core/base/error.h"
 
 namespace evenglow::design {
@@ -38,6 +40,10 @@ VariantRatio ratio_of(const Report& report, const Report& base) {
 }
 
 }  // namespace
+
+std::string film_note(std::size_t index, const FilmEntry& film, const std::string& remark) {
+  return fmt::format("films[{}] ({}): {}", index, film.kind, remark);
+}
 
 Comparison compare_reports(std::string title, std::string command, std::vector<Report> variants) {
   core::expects(!variants.empty(), "a comparison has at least one variant");

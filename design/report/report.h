@@ -21,6 +21,17 @@ struct Timing {
   double photons_per_cpu_s = 0.0;
 };
 
+/// A film of the stack, for the reader.
+struct FilmEntry {
+  std::string kind;
+  double axis_deg = 0.0;             ///< 0 where the kind has none
+  double gap_mm = 0.0;               ///< air below it
+  std::vector<std::string> remarks;  ///< what its data needed, one sentence each
+};
+
+/// How a remark of film `index` stands among the notes.
+std::string film_note(std::size_t index, const FilmEntry& film, const std::string& remark);
+
 /// A finished (or interrupted) `simulate` or `design` run of one backlight.
 struct Report {
   std::string version;
@@ -34,12 +45,14 @@ struct Report {
   int threads = 1;
   int ranks = 1;
   std::string stop_reason;          ///< one sentence; of `simulate`: "single trace"
+  std::string processor;            ///< model of the CPU; empty: unknown
   std::string luminance_estimator;  ///< one sentence: how the luminance was estimated
   std::vector<StepRecord> steps;    ///< of `simulate`: one
   FinalJudgment final;
   core::CellField start_luminance;  ///< cd/m2, of step 0
   core::CellField luminance;        ///< cd/m2, active area, from the final trace
   core::CellField luminance_se;     ///< cd/m2
+  core::CellField target;           ///< wanted luminance, mean 1 over the cells that count (others 0); empty: uniform
   core::CellField density;          ///< 0 to 1, over the plate
   double density_min = 0.0;         ///< limits of the design
   double density_max = 1.0;
@@ -47,8 +60,10 @@ struct Report {
   std::optional<AngularLuminance> angular;
   std::vector<SpotLuminance> angular_spots;
   std::optional<ColorJudgment> color;
+  std::vector<FilmEntry> films;     ///< from the plate upwards
   std::vector<HotSpots> hot_spots;  ///< of each row of LEDs
-  std::vector<std::string> notes;  ///< remarks for the reader (limits that bind, assumptions of film data)
+  std::string section_svg;          ///< the stack in section with ways of photons, an SVG element; may be empty
+  std::vector<std::string> notes;   ///< remarks for the reader (limits that bind, assumptions of film data)
   Timing timing;
 };
 

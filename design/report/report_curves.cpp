@@ -1,9 +1,8 @@
 #include "design/report/report_curves.h"
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
-
-#include "design/report/value_scale.h"
 
 namespace evenglow::design {
 namespace {
@@ -39,6 +38,17 @@ Curve final_point(const Report& report, const core::Estimate& value) {
   return curve;
 }
 
+void add_noise(const Report& report, CurvePlot& plot) {
+  const auto has_noise = [](const StepRecord& s) { return s.noise > 0.0; };
+  if (std::none_of(report.steps.begin(), report.steps.end(), has_noise)) return;
+  Curve noise = by_step(report, [](const StepRecord& s) { return core::Estimate{s.noise, 0.0}; });
+  noise.name = "noise";
+  noise.ink = Ink::series_3;
+  noise.dashed = true;
+  noise.marked = false;
+  plot.curves.push_back(std::move(noise));
+}
+
 }  // namespace
 
 CurvePlot rms_plot(const std::vector<const Report*>& reports) {
@@ -59,6 +69,7 @@ CurvePlot rms_plot(const std::vector<const Report*>& reports) {
     raw.in_legend = judged.in_legend = reports.size() == 1;
     for (Curve* curve : {&raw, &corrected, &judged}) plot.curves.push_back(*curve);
   }
+  if (reports.size() == 1) add_noise(*reports.front(), plot);
   return plot;
 }
 
@@ -74,56 +85,6 @@ CurvePlot efficiency_plot(const std::vector<const Report*>& reports) {
     judged.in_legend = reports.size() == 1;
     plot.curves.push_back(curve);
     plot.curves.push_back(judged);
-  }
-  return plot;
-}
-
-Curve section_curve(const core::CellField& field, const core::CellField* se, SectionDirection direction) {
-  const core::CellGrid& grid = field.grid;
-  const bool along_x = direction == SectionDirection::along_x;
-  const int count = along_x ? grid.nx : grid.ny;
-  const int across = along_x ? grid.ny : grid.nx;
-  const auto index = [&](int i, int line) {
-    return static_cast<std::size_t>(along_x ? line * grid.nx + i : i * grid.nx + line);
-  };
-  const int first = (across - 1) / 2;
-  const int second = across / 2;
-  Curve curve;
-  curve.marked = false;
-  for (int i = 0; i < count; ++i) {
-    curve.x.push_back(along_x ? grid.center_x(i) : grid.center_y(i));
-    curve.y.push_back(0.5 * (field.values[index(i, first)] + field.values[index(i, second)]));
-    if (se == nullptr) continue;
-    const double a = se->values[index(i, first)];
-    curve.se.push_back(first == second ? a : 0.5 * std::hypot(a, se->values[index(i, second)]));
-  }
-  return curve;
-}
-
-CurvePlot luminance_section(const std::vector<const Report*>& reports, SectionDirection direction) {
-  const bool along_x = direction == SectionDirection::along_x;
-  CurvePlot plot{along_x ? "Along x, through the center" : "Along y, through the center",
-                 along_x ? "x (mm)" : "y (mm)",
-                 "luminance (cd/m\u00b2)",
-                 false,
-                 false,
-                 false,
-                 {}};
-  for (std::size_t i = 0; i < reports.size(); ++i) {
-    const Report& report = *reports[i];
-    if (reports.size() == 1 && report.steps.size() > 1 && is_filled(report.start_luminance)) {
-      Curve start = section_curve(report.start_luminance, nullptr, direction);
-      start.name = "start";
-      start.ink = Ink::muted;
-      start.dashed = true;
-      plot.curves.push_back(start);
-    }
-    if (!is_filled(report.luminance)) continue;
-    const bool has_se = is_filled(report.luminance_se) && report.luminance_se.grid == report.luminance.grid;
-    Curve curve = section_curve(report.luminance, has_se ? &report.luminance_se : nullptr, direction);
-    curve.name = curve_name(reports, i, reports.size() == 1 ? "final" : "");
-    curve.ink = series_ink(i);
-    plot.curves.push_back(curve);
   }
   return plot;
 }

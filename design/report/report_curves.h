@@ -8,19 +8,14 @@
 /// The curves of a report, ready to be drawn. With several reports, one color for each.
 namespace evenglow::design {
 
-/// RMS non-uniformity (percent) by step: raw, with the noise taken off, and the final judgment.
+/// RMS non-uniformity (percent) by step: raw, with the noise taken off, and the final judgment; of one report
+/// also the noise of each step.
 CurvePlot rms_plot(const std::vector<const Report*>& reports);
 
 /// Efficiency (percent) by step and as finally judged.
 CurvePlot efficiency_plot(const std::vector<const Report*>& reports);
 
-/// Luminance along a line through the center of the active area. Where the center lies between two rows of cells,
-/// their mean. One report: at the start and finally; several: each finally.
 enum class SectionDirection { along_x, along_y };
-CurvePlot luminance_section(const std::vector<const Report*>& reports, SectionDirection direction);
-
-/// Luminance (and its standard error) of a field along that line, by position in mm.
-Curve section_curve(const core::CellField& field, const core::CellField* se, SectionDirection direction);
 
 /// Luminance by polar angle of view (degrees, negative on the far side) in the plane of azimuth 0 / 180 (`along_x`)
 /// or 90 / 270 degrees. Reports without an angular distribution are left out.

@@ -7,25 +7,30 @@
 
 #include "core/base/error.h"
 #include "design/report/csv_writer.h"
+#include "design/report/hdf5_map_writer.h"
 #include "design/report/html_writer.h"
 #include "design/report/json_writer.h"
 #include "design/report/png_writer.h"
+#include "design/report/vti_writer.h"
 
 namespace evenglow::design {
 namespace {
 
 struct Format {
   std::string name;
+  bool by_default = true;  ///< or only when asked for
   std::function<std::unique_ptr<const ReportWriter>()> make;
 };
 
 /// One line for each format.
 std::vector<Format> formats_known() {
   return {
-      {"json", [] { return std::make_unique<const JsonWriter>(); }},
-      {"csv", [] { return std::make_unique<const CsvWriter>(); }},
-      {"png", [] { return std::make_unique<const PngWriter>(); }},
-      {"html", [] { return std::make_unique<const HtmlWriter>(); }},
+      {"json", true, [] { return std::make_unique<const JsonWriter>(); }},
+      {"csv", true, [] { return std::make_unique<const CsvWriter>(); }},
+      {"png", true, [] { return std::make_unique<const PngWriter>(); }},
+      {"html", true, [] { return std::make_unique<const HtmlWriter>(); }},
+      {"vti", false, [] { return std::make_unique<const VtiWriter>(); }},
+      {"hdf5", false, [] { return std::make_unique<const Hdf5MapWriter>(); }},
   };
 }
 
@@ -47,6 +52,14 @@ void write_all(const Result& result, const std::vector<std::string>& names, cons
 std::vector<std::string> output_formats() {
   std::vector<std::string> names;
   for (const Format& format : formats_known()) names.push_back(format.name);
+  return names;
+}
+
+std::vector<std::string> default_output_formats() {
+  std::vector<std::string> names;
+  for (const Format& format : formats_known()) {
+    if (format.by_default) names.push_back(format.name);
+  }
   return names;
 }
 

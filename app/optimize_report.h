@@ -1,0 +1,31 @@
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "app/run_file.h"
+#include "design/engine/outer_design.h"
+#include "design/report/study.h"
+
+namespace evenglow::app {
+
+/// Two designs of a search, judged once more with random numbers that the search has not seen.
+struct OptimizeVerdict {
+  std::size_t best = 0;          ///< index of the evaluation; the first is the start
+  design::OuterResult start;     ///< judged anew
+  design::OuterResult improved;  ///< judged anew
+};
+
+/// Convergence of the search: efficiency and RMS of each design, the keys, the verdict.
+design::Study optimize_study(const Run& run, const std::string& command,
+                             const std::vector<design::OuterResult>& results, const OptimizeVerdict& verdict);
+
+/// optimize.csv, optimize.json, optimize.html, optimize.png.
+void write_optimize(const design::Study& study, const Run& run, const std::vector<design::OuterResult>& results,
+                    const OptimizeVerdict& verdict, const std::filesystem::path& directory);
+
+/// The state of a search for `--resume`, and back; empty if there is none. Throws core::Error if it is of another run.
+std::string optimize_state(const std::string& identity, const std::vector<design::OuterResult>& results);
+std::vector<design::OuterResult> read_optimize_state(const std::filesystem::path& file, const std::string& identity);
+
+}  // namespace evenglow::app

@@ -1,0 +1,114 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/app/tiny_run.h"
+
+/// `evenglow pareto`, `evenglow bench-design`, and the goals, starts and targets of `evenglow design`.
+namespace evenglow::tests {
+namespace {
+
+using ::testing::HasSubstr;
+
+class Studies : public ::testing::Test {
+ protected:
+  Studies() { write_text(folder_ / "tiny.yaml", kTinyRun); }
+  ProgramResult run(std::vector<std::string> words) const {
+    words.push_back("--quiet");
+    return evenglow(words, folder_.path());
+  }
+  TempFolder folder_;
+};
+
+TEST_F(Studies, ParetoKeepsEachPoint) {
+  const ProgramResult result =
+      run({"pareto", "tiny.yaml", "-o", "front", "--set", "design.pareto_levels=[0.05, 0.1, 0.2]"});
+  ASSERT_EQ(result.code, 0) << result.err;
+  const auto json = json_of(folder_ / "front" / "pareto.json");
+  ASSERT_EQ(json["points"].size(), 3U);
+  EXPECT_EQ(json["points"][2]["level"], 0.2);
+  for (const auto& point : json["points"]) {
+    EXPECT_GT(point["efficiency"].get<double>(), 0.1);
+    EXPECT_LE(point["rms_95_low"].get<double>(), point["rms_95_high"].get<double>());
+    EXPECT_TRUE(std::filesystem::exists(folder_ / "front" / point["density"].get<std::string>()));
+  }
+  for (const char* name : {"pareto.csv", "pareto.html", "pareto.png", "luminance_03.csv"})
+    EXPECT_FALSE(file_text(folder_ / "front" / name).empty()) << name;
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "front" / "checkpoint.json"));
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "front" / "checkpoint_2.json"));
+  EXPECT_EQ(run({"pareto", "tiny.yaml", "-o", "front"}).code, 2) << "another result is not replaced unasked";
+}
+
+TEST_F(Studies, BenchDesignComparesUpdaters) {
+  const ProgramResult result =
+      run({"bench-design", "tiny.yaml", "-o", "bench", "--seeds", "2", "--updaters", "ratio,auto", "--photons", "2e4"});
+  ASSERT_EQ(result.code, 0) << result.err;
+  EXPECT_THAT(result.out, HasSubstr("photons (millions)"));
+  const auto json = json_of(folder_ / "bench" / "bench.json");
+  EXPECT_EQ(json["cases"][0]["median_low_high"].size(), 8U);
+  for (const char* name : {"bench.csv", "bench.txt", "bench.html", "bench.png"})
+    EXPECT_FALSE(file_text(folder_ / "bench" / name).empty()) << name;
+  const ProgramResult wrong = run({"bench-design", "tiny.yaml", "--updaters", "newton"});
+  EXPECT_EQ(wrong.code, 2);
+  EXPECT_THAT(wrong.err, HasSubstr("--updaters: must be among auto"));
+}
+
+TEST_F(Studies, OptimizeTurnsScalarKeys) {
+  write_text(folder_ / "outer.yaml", std::string(kTinyRun) +
+                                         "optimize:\n  - {key: design.level, range: [0.05, 0.3]}\n"
+                                         "  - {key: \"backlight.films[0].haze\", range: [0.5, 0.95]}\n"
+                                         "optimizer: {evaluations: 4, rms: 0.2}\n");
+  const ProgramResult result = run({"optimize", "outer.yaml", "-o", "outer"});
+  ASSERT_EQ(result.code, 0) << result.err;
+  const auto json = json_of(folder_ / "outer" / "optimize.json");
+  ASSERT_EQ(json["designs"].size(), 4U);
+  EXPECT_EQ(json["designs"][0]["values"][0], 0.175);
+  EXPECT_GT(json["judged_anew"]["best"]["efficiency"].get<double>(), 0.1);
+  for (const char* name : {"optimize.csv", "optimize.html", "optimize.png", "density.csv"})
+    EXPECT_FALSE(file_text(folder_ / "outer" / name).empty()) << name;
+  const ProgramResult none = run({"optimize", "tiny.yaml"});
+  EXPECT_EQ(none.code, 2);
+  EXPECT_THAT(none.err, HasSubstr("optimize: must be a list"));
+}
+
+TEST_F(Studies, MaxEfficiencyTellsEveryLevelItTried) {
+  const ProgramResult result = run({"design", "tiny.yaml", "-o", "out", "--set", "design.goal=max_efficiency", "--set",
+                                    "design.subject_to={rms: 0.3}"});
+  ASSERT_EQ(result.code, 0) << result.err;
+  const auto json = json_of(folder_ / "out" / "result.json");
+  EXPECT_THAT(json["stop_reason"].get<std::string>(), HasSubstr("max_efficiency: the best of"));
+  EXPECT_LT(json["final"]["rms_corrected"].get<double>(), 0.35);
+  int levels = 0;
+  for (const auto& note : json["notes"]) levels += note.get<std::string>().starts_with("Level ") ? 1 : 0;
+  EXPECT_GE(levels, 2);
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "out" / "checkpoint_1.json"));
+}
+
+/// Corrected RMS of the first step, from 2e5 photons, of a plate that is long enough to darken along its way.
+class FirstStep : public Studies {
+ protected:
+  double of(const std::string& out, const std::vector<std::string>& more) const {
+    std::vector<std::string> words = {"design", "tiny.yaml", "-o", out, "--photons", "2e5"};
+    for (const std::string change : {"design.first_photons=2e5", "design.level=0.05", "design.max_steps=2",
+                                     "backlight.light_guide_plate.length_mm=100"}) {
+      words.insert(words.end(), {"--set", change});
+    }
+    words.insert(words.end(), more.begin(), more.end());
+    const ProgramResult result = run(words);
+    EXPECT_EQ(result.code, 0) << result.err;
+    return json_of(folder_ / out / "result.json")["steps"][0]["rms_corrected"].get<double>();
+  }
+};
+
+TEST_F(FirstStep, OfAWarmStartBeginsWhereAnotherResultEnded) {
+  const double cold = of("cold", {});
+  const double warm =
+      of("warm", {"--set", "design.start={result: cold}", "--set", "backlight.microstructure.cells=[12, 6]"});
+  EXPECT_LT(warm, 0.6 * cold);
+}
+
+TEST_F(FirstStep, OfAnAnalyticStartIsMoreEvenThanThatOfAFlatOne) {
+  EXPECT_LT(of("analytic", {"--set", "design.start=analytic"}), 0.6 * of("flat", {}));
+}
+
+}  // namespace
+}  // namespace evenglow::tests
