@@ -80,7 +80,7 @@ const ColorMap& ColorMap::difference() {
     for (std::size_t i = 0; i < colors.size(); ++i) {
       const double t = static_cast<double>(i) / 255.0;
       const double away = std::abs(2.0 * t - 1.0);
-      colors[i] = nearest_srgb(std::lerp(93.0, 35.0, away), 44.0 * away, t < 0.5 ? 272.0 : 38.0);
+      colors[i] = nearest_srgb(std::lerp(93.0, 35.0, away), 44.0 * away, t < 0.5 ? 282.0 : 38.0);
     }
     return colors;
   }());

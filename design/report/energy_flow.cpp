@@ -10,13 +10,13 @@
 namespace evenglow::design {
 namespace {
 
-constexpr double kWidth = 560.0;  ///< px, as all below
+constexpr double kWidth = 450.0;  ///< px, as all below
 constexpr double kFull = 230.0;   ///< height of a share of 1
 constexpr double kNode = 10.0;    ///< width of a node
 constexpr double kText = 11.5;
 constexpr double kPitch = 15.0;  ///< between labels at least
 constexpr double kTop = 22.0;    ///< room for the heading
-constexpr double kColumns[] = {0.0, 150.0, 300.0};
+constexpr double kColumns[] = {0.0, 102.0, 204.0};
 
 struct Leaf {
   std::size_t row = 0;
@@ -134,7 +134,7 @@ class Flow {
   static std::string short_label(const std::string& text) {
     constexpr std::string_view prefix = "absorbed: ";
     std::string name = text.rfind(prefix, 0) == 0 ? text.substr(prefix.size()) : text;
-    constexpr std::size_t kMost = 30;
+    constexpr std::size_t kMost = 21;
     if (name.size() > kMost) name = clean_utf8(std::string_view(name).substr(0, kMost - 1)) + "\u2026";
     return name;
   }

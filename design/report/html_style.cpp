@@ -77,8 +77,8 @@ th, td { padding: 5px 18px 5px 0; text-align: left; vertical-align: top; border-
 th { font-weight: 600; } thead th { color: var(--muted); font-weight: 500; vertical-align: bottom; }
 td.n, th.n { text-align: right; white-space: nowrap; } tr.sum > * { font-weight: 600; border-bottom: 0; }
 table.facts td { overflow-wrap: anywhere; } table.facts th { white-space: nowrap; font-weight: 500; color: var(--muted); }
-svg.energy { min-width: 480px; } .flow { fill-opacity: .38; }
-.flows figcaption { margin-top: 6px; } g:hover > .flow { fill-opacity: .6; }
+.flow { fill-opacity: .38; }
+.spots td { white-space: nowrap; } .flows figcaption { margin-top: 6px; } g:hover > .flow { fill-opacity: .6; }
 .f-source { fill: var(--muted); } .f-side, .f-absorbed { fill: var(--rest); }
 .swatch { display: inline-block; width: 11px; height: 11px; border-radius: 2px; margin-right: 8px; }
 .e0 { background: var(--s1); fill: var(--s1); } .e1 { background: var(--s2); fill: var(--s2); }
@@ -101,7 +101,7 @@ ul { padding-left: 20px; margin: 6px 0; }
     --s2: #c25708; --s3: #15805f; --s4: #8449ab; --s5: #94740a; --s6: #bd2f55; --rest: #b9c0c7; color-scheme: light; }
   * { print-color-adjust: exact; -webkit-print-color-adjust: exact; }
   body { font-size: 10pt; } main { max-width: none; padding: 0; } button, .hint, .read:not(.cutread), .map .cross { display: none; }
-  figure, .card, tr { break-inside: avoid; } h2, h3 { break-after: avoid; } pre { white-space: pre-wrap; }
+  figure, .card, tr { break-inside: avoid; } h2, h3, h2 + p, h3 + p { break-after: avoid; } pre { white-space: pre-wrap; }
   .two, .cut { grid-template-columns: 1fr 1fr; } .three { grid-template-columns: 1fr 1fr 1fr; } .scroll { overflow: visible; } }
 )css";
 }

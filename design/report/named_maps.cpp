@@ -55,18 +55,20 @@ std::vector<NamedMap> named_maps(const Comparison& comparison) {
   for (std::size_t i = 1; i < comparison.variants.size(); ++i) {
     const Report& base = comparison.variants[0];
     const Report& report = comparison.variants[i];
-    const std::string pair = plain(report.variant) + "_" + plain(base.variant);
+    const std::string over = plain(report.variant) + "_over_" + plain(base.variant);
+    const std::string minus = plain(report.variant) + "_minus_" + plain(base.variant);
     if (const auto ratio = luminance_ratio(report, base)) {
-      add(maps, "ratio_" + pair, "1", "ratio of the luminance for equal LED flux", ratio->field);
-      add(maps, "ratio_" + pair + "_se", "1", "its standard error", ratio->se);
+      add(maps, "ratio_" + over, "1", ratio->name + ": ratio of the luminance for equal LED flux", ratio->field);
+      add(maps, "ratio_" + over + "_se", "1", ratio->name + ": standard error of the ratio", ratio->se);
     }
     if (const auto difference = luminance_difference(report, base)) {
-      add(maps, "difference_" + pair, "cd/m2", "difference of the luminance for the LED flux of the first",
-          difference->field);
-      add(maps, "difference_" + pair + "_se", "cd/m2", "its standard error", difference->se);
+      add(maps, "difference_" + minus, "cd/m2",
+          difference->name + ": difference of the luminance for the LED flux of the first", difference->field);
+      add(maps, "difference_" + minus + "_se", "cd/m2", difference->name + ": standard error of the difference",
+          difference->se);
     }
     if (const auto density = density_difference(report, base))
-      add(maps, "density_difference_" + pair, "1", "difference of the density", density->field);
+      add(maps, "density_difference_" + minus, "1", density->name + ": difference of the density", density->field);
   }
   return maps;
 }

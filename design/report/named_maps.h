@@ -19,7 +19,7 @@ struct NamedMap {
 std::vector<NamedMap> named_maps(const Report& report);
 
 /// Of a comparison: ratio and difference of the luminance, difference of the density of each variant against the first,
-/// named after the variants, as in "ratio_dbef_lpp"; other characters than letters and digits become underscores.
+/// named after the variants, as in "ratio_dbef_over_lpp"; other characters than letters and digits become underscores.
 std::vector<NamedMap> named_maps(const Comparison& comparison);
 
 }  // namespace evenglow::design

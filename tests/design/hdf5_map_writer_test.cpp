@@ -57,8 +57,8 @@ TEST(Hdf5MapWriter, HasAxesWithUnits) {
 TEST(Hdf5MapWriter, OfAComparisonHoldsTheRelations) {
   const Comparison comparison = compare_reports("two", "c", {samples::report("lpp"), samples::report("dbef")});
   const Hdf5Reader file(hdf5_maps(comparison), "maps.h5");
-  EXPECT_EQ(file.numbers("ratio_dbef_lpp", kMost)[7], 1.0);
-  EXPECT_EQ(file.text("difference_dbef_lpp", "unit"), "cd/m2");
+  EXPECT_EQ(file.numbers("ratio_dbef_over_lpp", kMost)[7], 1.0);
+  EXPECT_EQ(file.text("difference_dbef_minus_lpp", "unit"), "cd/m2");
 }
 
 TEST(Hdf5MapWriter, BearsHostileAndEndlessTexts) {

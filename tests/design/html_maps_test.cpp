@@ -1,5 +1,6 @@
 #include "design/report/html_maps.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -11,7 +12,7 @@ namespace {
 std::vector<nlohmann::json> maps_of(const PageData& data) {
   std::vector<nlohmann::json> maps;
   const nlohmann::json parsed = nlohmann::json::parse(data.json());
-  for (int i = 0; parsed.contains("d" + std::to_string(i)); ++i) maps.push_back(parsed["d" + std::to_string(i)]);
+  for (int i = 0; parsed.contains(fmt::format("d{}", i)); ++i) maps.push_back(parsed[fmt::format("d{}", i)]);
   return maps;
 }
 

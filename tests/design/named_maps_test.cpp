@@ -33,7 +33,7 @@ TEST(NamedMaps, OfAComparisonAreNamedAfterTheVariantsAndNeverTwice) {
   const auto list = names(named_maps(comparison));
   EXPECT_EQ(list.size(), 15U);
   EXPECT_EQ(std::set<std::string>(list.begin(), list.end()).size(), list.size());
-  EXPECT_EQ(list[0], "ratio_a_b_lpp");
+  EXPECT_EQ(list[0], "ratio_a_b_over_lpp");
   for (const std::string& name : list)
     EXPECT_EQ(name.find_first_not_of("abcdefghijklmnopqrstuvwxyz_0123456789"), std::string::npos) << name;
   EXPECT_TRUE(named_maps(compare_reports("t", "c", {samples::report("lpp")})).empty());

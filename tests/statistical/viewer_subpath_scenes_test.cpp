@@ -70,8 +70,9 @@ std::vector<SceneCase> scenes() {
        "cells: [3, 2], pupil: {distance_mm: 30, diameter_mm: 25}"},
       // Under a Lambertian film the luminance is the same in all directions.
       {"OneDirection",
-       plate(kDots, "{kind: diffuser, lobe: lambertian, depolarization: 1}, {kind: lpp, reflectance: 0, gap_mm: 0.001}"), 100'000,
-       "cells: [6, 4], cone_deg: 0, direction_deg: [30, 20]", "cells: [6, 4], cone_deg: 40"},
+       plate(kDots,
+             "{kind: diffuser, lobe: lambertian, depolarization: 1}, {kind: lpp, reflectance: 0, gap_mm: 0.001}"),
+       100'000, "cells: [6, 4], cone_deg: 0, direction_deg: [30, 20]", "cells: [6, 4], cone_deg: 40"},
   };
 }
 
