@@ -10,13 +10,13 @@
 namespace evenglow::design {
 namespace {
 
-constexpr double kWidth = 450.0;  ///< px, as all below
+constexpr double kWidth = 465.0;  ///< px, as all below
 constexpr double kFull = 230.0;   ///< height of a share of 1
 constexpr double kNode = 10.0;    ///< width of a node
 constexpr double kText = 11.5;
 constexpr double kPitch = 15.0;  ///< between labels at least
 constexpr double kTop = 22.0;    ///< room for the heading
-constexpr double kColumns[] = {0.0, 102.0, 204.0};
+constexpr double kColumns[] = {0.0, 112.0, 218.0};
 
 struct Leaf {
   std::size_t row = 0;
@@ -103,7 +103,7 @@ class Flow {
       leaf(one, kColumns[1] + kNode, from);
       from += thickness(one.share);
     }
-    const std::string name = branch.fate == Fate::side ? "other sides " : "absorbed ";
+    const std::string name = branch.fate == Fate::side ? "sides " : "absorbed ";
     const std::string text = name + rounded(100.0 * branch.share(), 3) + "\u00a0%";
     svg_ += label(kColumns[1] - 6.0, y + 0.5 * height + 0.35 * kText, text, false, "end");
     advance(height);

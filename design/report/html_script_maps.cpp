@@ -110,7 +110,8 @@ all('button[data-scales]', function (button) {
   var own = false, texts = ['Give each map its own scale', 'Back to one common scale'];
   var figures = document.getElementById(button.dataset.scales).querySelectorAll('figure.map');
   button.textContent = texts[0];
-  button.hidden = figures.length < 2;
+  var quantities = Array.prototype.map.call(figures, function (figure) { return mapOf(figure).quantity; });
+  button.hidden = quantities.every(function (quantity, i) { return quantities.indexOf(quantity) === i; });
   button.addEventListener('click', function () {
     own = !own;
     button.textContent = texts[own ? 1 : 0];
