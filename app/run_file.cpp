@@ -49,9 +49,9 @@ Run read_keys(const ConfigDocument& document, Purpose purpose) {
   run.design = design::read_design(root.map("design", "how it is designed"));
   run.outer = design::read_outer(root);
   const std::string shape = run.backlight.microstructure ? run.backlight.microstructure->shape.kind : "";
-  run.dots = design::read_dots(
-      root.map("dots", "how the density becomes real dots (evenglow dots)"),
-      shape == "pyramid" || shape == "v_groove" ? core::Footprint::square : core::Footprint::round);
+  run.dots =
+      design::read_dots(root.map("dots", "how the density becomes real dots (evenglow dots)"),
+                        shape == "pyramid" || shape == "v_groove" ? core::Footprint::square : core::Footprint::round);
   run.output = root.choices({"output", "formats of the result files", design::output_formats(),
                              fmt::format("{}", fmt::join(design::default_output_formats(), ","))});
   if (run.output.empty()) root.fault_at("output", "must name at least one format, got none");

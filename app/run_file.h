@@ -21,7 +21,7 @@ struct Run {
   tracer::BacklightSpec backlight;
   tracer::TraceSpec trace;
   design::DesignSpec design;
-  design::OuterSpec outer;   ///< of `evenglow optimize`; no variables: the file names none
+  design::OuterSpec outer;  ///< of `evenglow optimize`; no variables: the file names none
   design::DotSpec dots;
   std::vector<std::string> output;  ///< formats
   std::string file_text;

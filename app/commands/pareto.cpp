@@ -3,6 +3,7 @@
 #include "app/backlight_run.h"
 #include "app/commands/commands.h"
 #include "app/front_report.h"
+#include "app/front_run.h"
 #include "app/output_directory.h"
 #include "design/engine/design_start.h"
 #include "design/engine/level_front.h"

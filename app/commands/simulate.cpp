@@ -1,6 +1,7 @@
 #include "app/backlight_run.h"
 #include "app/commands/commands.h"
 #include "app/output_directory.h"
+#include "app/result_text.h"
 #include "design/report/writer_registry.h"
 
 namespace evenglow::app {

@@ -10,13 +10,13 @@
 namespace evenglow::design {
 namespace {
 
-constexpr double kWidth = 465.0;  ///< px, as all below
+constexpr double kWidth = 468.0;  ///< px, as all below
 constexpr double kFull = 230.0;   ///< height of a share of 1
 constexpr double kNode = 10.0;    ///< width of a node
 constexpr double kText = 11.5;
 constexpr double kPitch = 15.0;  ///< between labels at least
 constexpr double kTop = 22.0;    ///< room for the heading
-constexpr double kColumns[] = {0.0, 112.0, 218.0};
+constexpr double kColumns[] = {0.0, 118.0, 222.0};
 
 struct Leaf {
   std::size_t row = 0;

@@ -63,7 +63,8 @@ TEST_F(KeySchema, AcceptsEveryShippedRunFile) {
 /// files, YAML itself.
 const std::set<std::string> kBeyondASchema = {
     "backlight_missing",   "diffuser_table_haze",        "exponent_without_pattern", "variant_unknown_key",
-    "variant_wrong_value", "variant_film_outside_stack", "density_limits_swapped",   "pattern_behind"};
+    "variant_wrong_value", "variant_film_outside_stack", "density_limits_swapped",   "pattern_behind",
+    "microlens_fill"};
 
 TEST_F(KeySchema, RejectsEveryRunFileWithAFaultOfStructure) {
   const std::vector<fs::path> files = run_files(kSource / "tests/app/faulty");

@@ -51,15 +51,19 @@ class Browser:
         for domain in ("Page", "Runtime", "Log", "Network"):
             self.call(domain + ".enable")
 
-    def call(self, method, **parameters):
+    def post(self, method, **parameters):
         self.count += 1
         message = {"id": self.count, "method": method, "params": parameters}
         if self.session:
             message["sessionId"] = self.session
         os.write(self.to_browser, json.dumps(message).encode() + b"\0")
+        return self.count
+
+    def call(self, method, **parameters):
+        number = self.post(method, **parameters)
         while True:
             answer = self.receive(60)
-            if answer.get("id") == message["id"]:
+            if answer.get("id") == number:
                 if "error" in answer:
                     raise RuntimeError(f"{method}: {answer['error']}")
                 return answer["result"]
@@ -77,6 +81,8 @@ class Browser:
         message = json.loads(raw)
         if "method" in message:
             self.events.append(message)
+            if message["method"] == "Page.javascriptDialogOpening":  # the page waits for an answer
+                self.post("Page.handleJavaScriptDialog", accept=True)
         return message
 
     def open(self, page):
@@ -401,6 +407,8 @@ def check_quiet(browser, faults, page):
         parameters = event["params"]
         if event["method"] == "Runtime.exceptionThrown":
             faults.expect(False, "exception: " + json.dumps(parameters)[:300])
+        elif event["method"] == "Page.javascriptDialogOpening":
+            faults.expect(False, "dialog: " + parameters["message"][:300])
         elif event["method"] == "Runtime.consoleAPICalled":
             faults.expect(False, "console: " + json.dumps(parameters)[:300])
         elif event["method"] == "Log.entryAdded" and "willReadFrequently" not in parameters["entry"]["text"]:

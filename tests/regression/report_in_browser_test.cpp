@@ -45,6 +45,12 @@ TEST_F(ReportInBrowserLong, IsFastWith128By72Cells) {
   EXPECT_EQ(seen.code, 0) << seen.err;
 }
 
+TEST_F(ReportInBrowserLong, TakesAHostileTitleAsText) {
+  const ProgramResult seen =
+      drive({"--set", "title=\"</script><script>alert(1)</script><img src=x onerror=alert(2)>\""});
+  EXPECT_EQ(seen.code, 0) << seen.err;
+}
+
 /// The driver itself must see faults: a page whose numbers are not those of the results, and one that loads something.
 TEST_F(ReportInBrowserLong, SeesAPageThatIsWrong) {
   ASSERT_EQ(drive({}).code, 0);
@@ -63,6 +69,9 @@ TEST_F(ReportInBrowserLong, SeesAPageThatIsWrong) {
   EXPECT_NE(mirrored.err.find(" x: shown"), std::string::npos) << mirrored.err;
   const ProgramResult noisy = changed("<main>", "<img src=\"https://example.invalid/a.png\"><main>");
   EXPECT_EQ(noisy.code, 1) << noisy.out;
+  const ProgramResult scripted = changed("<main>", "<script>alert(1)</script><main>");
+  EXPECT_EQ(scripted.code, 1) << scripted.out;
+  EXPECT_NE(scripted.err.find("dialog"), std::string::npos) << scripted.err;
   const ProgramResult broken = changed("'use strict';", "'use strict'; setTimeout(function () { missing(); }, 0);");
   EXPECT_EQ(broken.code, 1) << broken.out;
   EXPECT_NE(broken.err.find("exception"), std::string::npos) << broken.err;

@@ -1,0 +1,57 @@
+#include "app/run_context.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <fmt/core.h>
+
+#include "core/base/error.h"
+#include "core/base/sha256.h"
+#include "core/base/version.h"
+#include "design/engine/traced_model.h"
+
+namespace evenglow::app {
+
+std::string run_identity(const Run& run, std::uint32_t stream) {
+  std::string text = std::string(core::version()) + '\n' + std::to_string(stream) + '\n' + run.file_text;
+  for (const std::string& change : run.overrides) text += '\n' + change;
+  for (const auto& file : run.data_files) text += '\n' + core::sha256_hex_of_file(file);
+  return core::sha256_hex(text);
+}
+
+design::ForwardModel make_model(const tracer::Scene& scene, const Run& run, const RunContext& context) {
+  design::TracedModelOptions options;
+  options.seed = run.trace.seed;
+  options.stream = context.stream;
+  options.batches = run.trace.batches;
+  options.threads = context.options.threads;
+  options.stop = context.stop;
+  options.path = run.trace.path;
+  Progress& progress = context.progress;
+  options.progress = [&progress](std::uint64_t done, std::uint64_t all) { progress.photons(done, all); };
+  return traced_model(scene, std::move(options));
+}
+
+design::DesignLimits design_limits(const Run& run) {
+  design::DesignLimits limits;
+  limits.largest_photons = run.trace.photons;
+  const auto cells = static_cast<std::uint64_t>(run.backlight.luminance.cells.size());
+  limits.first_photons = run.design.first_photons > 0 ? run.design.first_photons : 50 * cells;
+  limits.first_photons =
+      std::min(tracer::whole_batches(limits.first_photons, run.trace.batches), limits.largest_photons);
+  return limits;
+}
+
+std::string label(const Run& run, const std::string& text) {
+  return run.variant.empty() ? text : run.variant + ": " + text;
+}
+
+void check_light(const design::StepRecord& record, const std::string& variant) {
+  if (record.luminance_mean > 0.0) return;
+  throw core::Error(fmt::format(
+      "{}{}no light reached the display's active area in step {}: a design needs films that let it pass, and photons "
+      "enough",
+      variant, variant.empty() ? "" : ": ", record.step));
+}
+
+}  // namespace evenglow::app
