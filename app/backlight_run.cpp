@@ -11,6 +11,7 @@
 #include "core/config/message_text.h"
 #include "design/engine/checkpoint.h"
 #include "design/engine/design_start.h"
+#include "design/engine/state_file.h"
 #include "design/engine/traced_model.h"
 #include "tracer/scene/density_field.h"
 
@@ -22,7 +23,10 @@ using design::Report;
 /// The state to go on from; none if there is no checkpoint.
 std::optional<design::DesignProgress> load_state(const Run& run, const RunContext& context) {
   try {
-    return design::load_checkpoint(context.checkpoint, run_identity(run, context.stream));
+    std::string note;
+    auto state = design::load_checkpoint(context.checkpoint, run_identity(run, context.stream), &note);
+    if (!note.empty()) context.progress.line(label(run, note));
+    return state;
   } catch (const core::Error& error) {
     throw core::ConfigError(
         core::Fault{"--resume", 0, 0, "", core::one_line(error.what()) + " (--overwrite begins anew)"});
@@ -36,6 +40,7 @@ design::DesignProgress begin_design(const Run& run, const design::DesignLimits& 
       return std::move(*saved);
     }
   }
+  design::remove_state(context.checkpoint);  // of a run that is begun anew
   return design::start_design(design::first_density(run.backlight, run.design), run.design, limits);
 }
 

@@ -10,6 +10,7 @@
 #include "core/config/message_text.h"
 #include "design/engine/checkpoint.h"
 #include "design/engine/design_start.h"
+#include "design/engine/state_file.h"
 #include "design/engine/traced_model.h"
 
 namespace evenglow::app {
@@ -34,9 +35,15 @@ std::string point_note(const design::FrontPoint& point) {
 design::FrontHooks front_hooks(const Run& run, const RunContext& context, const std::string& identity) {
   design::FrontHooks hooks;
   hooks.load = [&context, identity](int point) -> std::optional<design::DesignProgress> {
-    if (!context.options.resume) return std::nullopt;
+    if (!context.options.resume) {
+      design::remove_state(point_checkpoint(context.checkpoint, point));
+      return std::nullopt;
+    }
     try {
-      return design::load_checkpoint(point_checkpoint(context.checkpoint, point), identity);
+      std::string note;
+      auto state = design::load_checkpoint(point_checkpoint(context.checkpoint, point), identity, &note);
+      if (!note.empty()) context.progress.line(fmt::format("point {}: {}", point + 1, note));
+      return state;
     } catch (const core::Error& error) {
       throw core::ConfigError(
           core::Fault{"--resume", 0, 0, "", core::one_line(error.what()) + " (--overwrite begins anew)"});
@@ -62,9 +69,12 @@ std::filesystem::path point_checkpoint(const std::filesystem::path& first, int p
 
 void remove_point_checkpoints(const std::filesystem::path& first) {
   std::error_code ignored;
-  for (int i = 1; std::filesystem::remove(point_checkpoint(first, i), ignored); ++i) {
+  for (int i = 1; std::filesystem::exists(point_checkpoint(first, i), ignored) ||
+                  std::filesystem::exists(design::previous_state(point_checkpoint(first, i)), ignored);
+       ++i) {
+    design::remove_state(point_checkpoint(first, i));
   }
-  std::filesystem::remove(first, ignored);
+  design::remove_state(first);
 }
 
 std::optional<Report> run_efficiency_job(Run run, const RunContext& context) {
@@ -119,7 +129,7 @@ std::optional<Report> run_efficiency_job(Run run, const RunContext& context) {
   take_observation(scene, spec, *observation, report);
   finish_timing(watch, report);
   for (int i = 1; i < static_cast<int>(search->points.size()); ++i)
-    std::filesystem::remove(point_checkpoint(context.checkpoint, i));
+    design::remove_state(point_checkpoint(context.checkpoint, i));
   return report;
 }
 

@@ -1,3 +1,4 @@
+#include <csignal>
 #include <cstdio>
 #include <exception>
 #include <string>
@@ -103,6 +104,11 @@ void add_photon_options(CLI::App& command, Options& options) {
   command.add_option("--photon", options.photon, "index of the photon within its trace (default 0)")->type_name("N");
   command.add_option("--step", options.step, "design step of the trace (default 0; simulate has no other)")
       ->type_name("N");
+  command
+      .add_option("--state", options.state,
+                  "checkpoint.json of an interrupted design: the photon meets the density of the step that was at work "
+                  "(default: the density of the run file)")
+      ->type_name("FILE");
   command.add_option("--stream", options.stream, "number of the variant in a comparison, from 0 (default 0)")
       ->type_name("N");
 }
@@ -183,6 +189,7 @@ int run(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return refuse(program, error, argc, argv);
   }
+  std::signal(SIGXFSZ, SIG_IGN);  // a limit of file sizes is told like a full disk, and kills nothing
   const evenglow::app::InterruptGuard interrupt;
   if (schema) return evenglow::app::schema_command({options, interrupt.token(), "evenglow schema"});
   if (dots.chosen()) return dots.run({options, interrupt.token(), "dots"});
@@ -191,16 +198,21 @@ int run(int argc, char** argv) {
   return chosen->run({options, interrupt.token(), evenglow::app::repeating_command(chosen->name, options)});
 }
 
+/// To stderr, which may lie on a full disk: never throws of that.
+void tell(const std::string& line) {
+  std::fprintf(stderr, "%s\n", line.c_str());
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   try {
     return run(argc, argv);
   } catch (const evenglow::core::ConfigError& error) {
-    for (const auto& fault : error.faults()) fmt::print(stderr, "{}\n", fault.to_string());
+    for (const auto& fault : error.faults()) tell(fault.to_string());
     return evenglow::app::kWrongInput;
   } catch (const std::exception& error) {
-    fmt::print(stderr, "evenglow: {}\n", error.what());
+    tell(std::string("evenglow: ") + error.what());
     return evenglow::app::kFailed;
   }
 }

@@ -1,13 +1,13 @@
 #include "app/optimize_report.h"
 
 #include <cmath>
-#include <fstream>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "core/base/error.h"
 #include "core/base/version.h"
+#include "design/engine/state_file.h"
 #include "design/report/number_format.h"
 #include "design/report/output_file.h"
 
@@ -16,6 +16,8 @@ namespace {
 
 using design::OuterResult;
 using Json = nlohmann::ordered_json;
+
+constexpr const char* kStateFormat = "evenglow-optimize-state/2";
 
 Json to_json(const OuterResult& r) {
   return {{"values", r.values},
@@ -174,23 +176,23 @@ void write_optimize(const design::Study& study, const Run& run, const std::vecto
 std::string optimize_state(const std::string& identity, const std::vector<OuterResult>& results) {
   Json rows = Json::array();
   for (const OuterResult& r : results) rows.push_back(to_json(r));
-  return Json{{"format", "evenglow-optimize-state/1"}, {"identity", identity}, {"designs", std::move(rows)}}.dump();
+  return Json{{"format", kStateFormat}, {"identity", identity}, {"designs", std::move(rows)}}.dump();
 }
 
-std::vector<OuterResult> read_optimize_state(const std::filesystem::path& file, const std::string& identity) {
-  std::ifstream in(file);
-  if (!in) return {};
+std::vector<OuterResult> read_optimize_state(const std::filesystem::path& file, const std::string& identity,
+                                             std::string& note) {
   std::vector<OuterResult> results;
   std::string found;
-  try {
-    const Json node = Json::parse(in);
+  const auto read = [&](const std::string& object) {
+    results.clear();
+    const Json node = Json::parse(object);
+    if (node.at("format").get<std::string>() != kStateFormat) throw core::Error("it is of another version");
     found = node.at("identity").get<std::string>();
     for (const Json& row : node.at("designs")) results.push_back(result_from(row));
-  } catch (const std::exception& error) {
-    throw core::Error(file.string() + ": the state cannot be used (" + error.what() + ")");
-  }
+  };
+  if (!design::load_state(file, read, note)) return {};
   if (found != identity)
-    throw core::Error(file.string() + ": the state is of another run (the run file or an option has changed)");
+    throw core::Error(file.string() + ": the checkpoint is of another run (the run file or an option has changed)");
   return results;
 }
 

@@ -24,8 +24,10 @@ design::Study optimize_study(const Run& run, const std::string& command,
 void write_optimize(const design::Study& study, const Run& run, const std::vector<design::OuterResult>& results,
                     const OptimizeVerdict& verdict, const std::filesystem::path& directory);
 
-/// The state of a search for `--resume`, and back; empty if there is none. Throws core::Error if it is of another run.
+/// The state of a search for `--resume`, and back; empty if there is none. `note` as load_state (state_file.h).
+/// Throws core::Error if it is of another run or cannot be used.
 std::string optimize_state(const std::string& identity, const std::vector<design::OuterResult>& results);
-std::vector<design::OuterResult> read_optimize_state(const std::filesystem::path& file, const std::string& identity);
+std::vector<design::OuterResult> read_optimize_state(const std::filesystem::path& file, const std::string& identity,
+                                                     std::string& note);
 
 }  // namespace evenglow::app

@@ -2,12 +2,9 @@
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
 #include <optional>
 
-#include <fcntl.h>
-#include <unistd.h>
-
+#include "core/base/durable_file.h"
 #include "core/base/error.h"
 #include "core/config/message_text.h"
 
@@ -25,6 +22,8 @@ constexpr std::array<const char*, 42> kResultNames = {
     "batch.html",      "thumbnail.png", "pareto.json",    "pareto.csv",        "pareto.html",    "pareto.png",
     "bench.json",      "bench.csv",     "bench.txt",      "bench.html",        "bench.png",      "optimize.json",
     "optimize.csv",    "optimize.html", "optimize.png",   "maps.vti",          "density.vti",    "maps.h5"};
+
+constexpr std::size_t kProvedBytes = std::size_t{2} << 20;  // more than the state of a fine design takes
 
 std::optional<std::string> first_result(const fs::path& directory) {
   std::error_code ignored;
@@ -44,15 +43,18 @@ void check_is_free(const fs::path& directory) {
     refuse(directory, "must not hold another result, got " + *name +
                           " in it (--overwrite replaces it, -o chooses another directory)");
   }
-  if (fs::exists(directory / kCheckpointName, ignored)) {
-    refuse(directory, std::string("must not hold another run, got ") + kCheckpointName +
+  for (const char* name : {kCheckpointName, kPreviousCheckpointName}) {
+    if (!fs::exists(directory / name, ignored)) continue;
+    refuse(directory, std::string("must not hold another run, got ") + name +
                           " in it (--resume goes on with it, --overwrite begins anew)");
   }
 }
 
 void check_resumable(const std::vector<fs::path>& places) {
   std::error_code ignored;
-  const auto has_state = [&](const fs::path& place) { return fs::exists(place / kCheckpointName, ignored); };
+  const auto has_state = [&](const fs::path& place) {
+    return fs::exists(place / kCheckpointName, ignored) || fs::exists(place / kPreviousCheckpointName, ignored);
+  };
   if (std::any_of(places.begin(), places.end(), has_state)) return;
   for (const fs::path& place : places) {
     if (!first_result(place)) continue;
@@ -69,7 +71,8 @@ fs::path output_directory(const Options& options, const fs::path& file) {
 }
 
 bool is_result_name(std::string_view name) {
-  return std::find(kResultNames.begin(), kResultNames.end(), name) != kResultNames.end() || name == kCheckpointName;
+  return std::find(kResultNames.begin(), kResultNames.end(), name) != kResultNames.end() || name == kCheckpointName ||
+         name == kPreviousCheckpointName;
 }
 
 void check_free(const fs::path& directory, const std::vector<std::string>& variants, const Options& options) {
@@ -92,11 +95,27 @@ void make_directory(const fs::path& directory) {
   std::error_code failure;
   fs::create_directories(directory, failure);
   if (failure) fail(failure.message());
-  const fs::path probe = directory / ".evenglow-probe";
-  const int descriptor = ::open(probe.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
-  if (descriptor < 0) fail(std::error_code(errno, std::generic_category()).message());
-  ::close(descriptor);
-  fs::remove(probe, failure);
+  core::prove_writable(directory, kProvedBytes);
+}
+
+OutputLock claim_directory(const fs::path& directory, const std::vector<std::string>& variants,
+                           const Options& options) {
+  check_not_in_use(directory);
+  check_free(directory, variants, options);
+  make_directory(directory);
+  OutputLock lock(directory);
+  check_free(directory, variants, options);  // another run may have ended in between
+  return lock;
+}
+
+void write_results(const fs::path& directory, const std::function<void()>& write) {
+  try {
+    write();
+  } catch (const std::exception& error) {
+    std::error_code ignored;
+    if (!fs::exists(directory / kCheckpointName, ignored)) throw;
+    throw core::Error(std::string(error.what()) + " (the state is kept: --resume makes the results again)");
+  }
 }
 
 void clear_results(const fs::path& directory) {

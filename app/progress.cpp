@@ -13,6 +13,11 @@ using Json = nlohmann::ordered_json;
 
 constexpr int kBarWidth = 24;
 
+/// Progress that nobody can be shown (stderr on a full disk) is no reason to end a run.
+void to_stderr(const std::string& text) noexcept {
+  std::fwrite(text.data(), 1, text.size(), stderr);
+}
+
 std::string text_of(const Json& json) {
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
@@ -34,7 +39,7 @@ Progress::~Progress() {
 
 void Progress::clear() {
   if (!drawn_) return;
-  fmt::print(stderr, "\r\033[K");
+  to_stderr("\r\033[K");
   std::fflush(stderr);
   drawn_ = false;
 }
@@ -70,15 +75,15 @@ void Progress::draw(std::uint64_t done, std::uint64_t all, double rate, double l
                           {"photons_per_s", rate},
                           {"left_s", left}}));
   }
-  fmt::print(stderr, "\r\033[K{}{} [{}] {:.2f} million photons/s, {:.0f} s left", prefix_, label_,
-             bar(static_cast<double>(done) / static_cast<double>(all)), rate * 1e-6, left);
+  to_stderr(fmt::format("\r\033[K{}{} [{}] {:.2f} million photons/s, {:.0f} s left", prefix_, label_,
+                        bar(static_cast<double>(done) / static_cast<double>(all)), rate * 1e-6, left));
   std::fflush(stderr);
   drawn_ = true;
 }
 
 void Progress::write(const std::string& text) {
   clear();
-  fmt::print(stderr, "{}\n", text);
+  to_stderr(text + "\n");
   std::fflush(stderr);
 }
 

@@ -1,8 +1,8 @@
 #include "app/text_output.h"
 
-#include <fstream>
 #include <system_error>
 
+#include "core/base/durable_file.h"
 #include "core/base/error.h"
 
 namespace evenglow::app {
@@ -34,17 +34,7 @@ void require_other_than_inputs(const std::vector<std::filesystem::path>& outputs
 void write_whole(const std::filesystem::path& path, const std::string& text) {
   std::error_code error;
   if (path.has_parent_path()) std::filesystem::create_directories(path.parent_path(), error);
-  std::filesystem::path beside = path;
-  beside += ".part";
-  std::ofstream stream(beside, std::ios::binary | std::ios::trunc);
-  stream << text << std::flush;
-  const bool written = static_cast<bool>(stream);
-  stream.close();
-  if (written) std::filesystem::rename(beside, path, error);
-  if (written && !error) return;
-  std::error_code ignored;
-  std::filesystem::remove(beside, ignored);
-  throw core::Error("cannot write " + path.string() + (error ? ": " + error.message() : ""));
+  core::write_durably(path, text);
 }
 
 }  // namespace evenglow::app

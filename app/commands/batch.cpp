@@ -13,6 +13,7 @@
 #include "core/base/version.h"
 #include "core/config/message_text.h"
 #include "core/config/text_file.h"
+#include "design/engine/state_file.h"
 #include "design/report/batch_table.h"
 #include "design/report/number_format.h"
 #include "design/report/writer_registry.h"
@@ -88,7 +89,6 @@ class Batch {
   }
 
   int run() {
-    make_directory(directory_);
     save();
     for (std::size_t i = 0; i < plan_.size(); ++i) {
       if (table_.rows[i].status == BatchStatus::kWrongInput) continue;
@@ -130,6 +130,7 @@ class Batch {
   bool trace(Run run, BatchRow& row) {
     const auto place = directory_ / row.name;
     make_directory(place);
+    const OutputLock lock(place);
     const auto formats = run.output;
     run.variant = row.name;
     const RunContext context{session_.options,    progress_, session_.stop,
@@ -137,10 +138,12 @@ class Batch {
     const auto report =
         session_.options.simulate ? run_simulation(std::move(run), context) : run_design_job(std::move(run), context);
     if (!report) return false;
-    clear_results(place);
-    design::write_report(*report, formats, place);
-    design::write_thumbnail(report->luminance, place / "thumbnail.png");
-    std::filesystem::remove(context.checkpoint);
+    write_results(place, [&] {
+      clear_results(place);
+      design::write_report(*report, formats, place);
+      design::write_thumbnail(report->luminance, place / "thumbnail.png");
+    });
+    design::remove_state(context.checkpoint);
     row.status = BatchStatus::kDone;
     row.message = report->stop_reason;
     row.final = report->final;
@@ -225,6 +228,10 @@ int batch_command(const Session& session) {
   tell_faults(plan);
   if (none_good) return kWrongInput;
   const auto directory = place_of(options);
+  check_not_in_use(directory);
+  check_places(directory, plan, options);
+  make_directory(directory);
+  const OutputLock lock(directory);
   check_places(directory, plan, options);
   return Batch(session, std::move(plan), directory).run();
 }

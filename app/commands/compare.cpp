@@ -7,6 +7,7 @@
 #include "app/commands/commands.h"
 #include "app/output_directory.h"
 #include "app/result_text.h"
+#include "design/engine/state_file.h"
 #include "design/report/writer_registry.h"
 
 namespace evenglow::app {
@@ -52,15 +53,16 @@ int compare_command(const Session& session) {
   const auto directory = output_directory(session.options, session.options.files.front());
   std::vector<std::string> places;
   for (const Run& run : runs) places.push_back(run.variant);
-  check_free(directory, places, session.options);
-  make_directory(directory);
+  const OutputLock lock = claim_directory(directory, places, session.options);
   const std::string title = runs.front().title;
   const auto formats = runs.front().output;
   Progress progress(session.options.quiet, session.options.json_progress);
   std::vector<design::Report> reports;
+  std::vector<OutputLock> locks;  // of the variants: their folders may be named as directories of other runs
   for (std::size_t i = 0; i < runs.size(); ++i) {
     const auto place = directory / runs[i].variant;
     make_directory(place);
+    locks.emplace_back(place);
     const RunContext context{
         session.options,        progress, session.stop, session.program_arguments, static_cast<std::uint32_t>(i),
         place / kCheckpointName};
@@ -70,16 +72,20 @@ int compare_command(const Session& session) {
       progress.line("interrupted: --resume goes on from the last whole step");
       return kInterrupted;
     }
-    clear_results(place);
-    design::write_report(*report, own_formats, place);
+    write_results(place, [&] {
+      clear_results(place);
+      design::write_report(*report, own_formats, place);
+    });
     print_result(*report, place);
     reports.push_back(std::move(*report));
   }
   const design::Comparison comparison = design::compare_reports(title, session.program_arguments, std::move(reports));
-  clear_results(directory);
-  design::write_report(comparison, formats, directory);
+  write_results(directory, [&] {
+    clear_results(directory);
+    design::write_report(comparison, formats, directory);
+  });
   for (const design::Report& report : comparison.variants)
-    std::filesystem::remove(directory / report.variant / kCheckpointName);
+    design::remove_state(directory / report.variant / kCheckpointName);
   print_ratios(comparison);
   fmt::print("files: {}\n", directory.string());
   return kDone;

@@ -2,6 +2,7 @@
 #include "app/commands/commands.h"
 #include "app/output_directory.h"
 #include "app/result_text.h"
+#include "design/engine/state_file.h"
 #include "design/report/writer_registry.h"
 
 namespace evenglow::app {
@@ -10,8 +11,7 @@ int design_command(const Session& session) {
   const auto& file = session.options.files.front();
   Run run = read_run(file, session.options, Purpose::kDesign);
   const auto directory = output_directory(session.options, file);
-  check_free(directory, {}, session.options);
-  make_directory(directory);
+  const OutputLock lock = claim_directory(directory, {}, session.options);
   const auto formats = run.output;
   Progress progress(session.options.quiet, session.options.json_progress);
   const RunContext context{session.options,           progress, session.stop,
@@ -21,9 +21,11 @@ int design_command(const Session& session) {
     progress.line("interrupted: --resume goes on from the last whole step");
     return kInterrupted;
   }
-  clear_results(directory);
-  design::write_report(*report, formats, directory);
-  std::filesystem::remove(context.checkpoint);
+  write_results(directory, [&] {
+    clear_results(directory);
+    design::write_report(*report, formats, directory);
+  });
+  design::remove_state(context.checkpoint);
   print_result(*report, directory);
   return kDone;
 }

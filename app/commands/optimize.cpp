@@ -4,10 +4,10 @@
 #include "app/commands/commands.h"
 #include "app/optimize_report.h"
 #include "app/output_directory.h"
-#include "app/text_output.h"
 #include "core/base/error.h"
 #include "core/config/message_text.h"
 #include "design/engine/design_start.h"
+#include "design/engine/state_file.h"
 #include "design/engine/traced_model.h"
 #include "design/report/csv_writer.h"
 #include "design/report/number_format.h"
@@ -66,10 +66,16 @@ std::optional<Designed> design_at(const Session& session, const design::OuterSpe
 }
 
 std::vector<design::OuterResult> earlier_results(const Session& session, const std::filesystem::path& state,
-                                                 const std::string& identity) {
-  if (!session.options.resume) return {};
+                                                 const std::string& identity, Progress& progress) {
+  if (!session.options.resume) {
+    design::remove_state(state);  // of a search that is begun anew
+    return {};
+  }
   try {
-    return read_optimize_state(state, identity);
+    std::string note;
+    auto results = read_optimize_state(state, identity, note);
+    if (!note.empty()) progress.line(note);
+    return results;
   } catch (const core::Error& error) {
     throw core::ConfigError(
         core::Fault{"--resume", 0, 0, "", core::one_line(error.what()) + " (--overwrite begins anew)"});
@@ -95,8 +101,7 @@ int optimize_command(const Session& session) {
   }
   check_ranges(session, run.outer);
   const auto directory = output_directory(session.options, file);
-  check_free(directory, {}, session.options);
-  make_directory(directory);
+  const OutputLock lock = claim_directory(directory, {}, session.options);
   Progress progress(session.options.quiet, session.options.json_progress);
   const std::filesystem::path state = directory / kCheckpointName;
   const std::string identity = run_identity(run, 0);
@@ -106,7 +111,7 @@ int optimize_command(const Session& session) {
   };
   const auto observer = [&](const std::vector<design::OuterResult>& results) {
     progress.line(told(run.outer, results.size() - 1, results.back()));
-    write_whole(state, optimize_state(identity, results));
+    design::save_state(state, optimize_state(identity, results));
     progress.begin(fmt::format("design {}", results.size()));
   };
   progress.begin("design 0");
@@ -114,7 +119,8 @@ int optimize_command(const Session& session) {
     progress.line("interrupted: --resume goes on from the last whole design");
     return kInterrupted;
   };
-  const auto results = design::run_outer(model, run.outer, earlier_results(session, state, identity), observer);
+  const auto results =
+      design::run_outer(model, run.outer, earlier_results(session, state, identity, progress), observer);
   if (!results) return interrupted();
   OptimizeVerdict verdict;
   verdict.best = design::best_of(*results, run.outer.rms);
@@ -125,12 +131,14 @@ int optimize_command(const Session& session) {
   if (!best) return interrupted();
   verdict.start = start->result;
   verdict.improved = best->result;
-  clear_results(directory);
   const design::Study study = optimize_study(run, session.program_arguments, *results, verdict);
-  write_optimize(study, run, *results, verdict, directory);
-  design::write_file(directory / "density.csv",
-                     design::matrix_csv(best->density, "density of the microstructure (share of the cell's area, 1)"));
-  std::filesystem::remove(state);
+  write_results(directory, [&] {
+    clear_results(directory);
+    write_optimize(study, run, *results, verdict, directory);
+    const std::string title = "density of the microstructure (share of the cell's area, 1)";
+    design::write_file(directory / "density.csv", design::matrix_csv(best->density, title));
+  });
+  design::remove_state(state);
   fmt::print("{}\n{}{}\nfiles: {}\n", study.title, design::study_text(study), study.notes.front(), directory.string());
   return kDone;
 }

@@ -14,8 +14,7 @@ int pareto_command(const Session& session) {
   const auto& file = session.options.files.front();
   Run run = read_run(file, session.options, Purpose::kDesign);
   const auto directory = output_directory(session.options, file);
-  check_free(directory, {}, session.options);
-  make_directory(directory);
+  const OutputLock lock = claim_directory(directory, {}, session.options);
   Progress progress(session.options.quiet, session.options.json_progress);
   const RunContext context{session.options,           progress, session.stop,
                            session.program_arguments, 0,        directory / kCheckpointName};
@@ -32,9 +31,11 @@ int pareto_command(const Session& session) {
     progress.line("interrupted: --resume goes on from the last whole step");
     return kInterrupted;
   }
-  clear_results(directory);
   const design::Study study = front_study(run, session.program_arguments, *points);
-  write_front(study, run, *points, directory);
+  write_results(directory, [&] {
+    clear_results(directory);
+    write_front(study, run, *points, directory);
+  });
   remove_point_checkpoints(context.checkpoint);
   fmt::print("{}\n{}files: {}\n", study.title, design::study_text(study), directory.string());
   return kDone;

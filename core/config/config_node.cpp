@@ -10,6 +10,7 @@
 #include "core/config/key_path.h"
 #include "core/config/message_text.h"
 #include "core/config/number_text.h"
+#include "core/config/path_tree.h"
 
 namespace evenglow::core {
 namespace {
@@ -147,7 +148,10 @@ std::filesystem::path ConfigNode::file_in(const TextKey& declaration, std::strin
   std::filesystem::path file = (own != folders.end() ? own->second : impl_->state->folder) / *name;
   if (!in_directory.empty()) file /= in_directory;
   const bool nameless = name->empty() || name->find('\0') != std::string::npos;
-  const std::string trouble = nameless ? "must be the name of a file, got " + described(*found) : file_trouble(file);
+  const auto tree = own != folders.end() ? impl_->state->trees.at(own->first) : tree_of(impl_->state->folder);
+  std::string trouble = nameless ? "must be the name of a file, got " + described(*found) : "";
+  if (trouble.empty() && found != nullptr) trouble = tree_trouble(tree, *name, file);
+  if (trouble.empty()) trouble = file_trouble(file);
   if (trouble.empty()) {
     impl_->state->files.push_back(file);
     return file;

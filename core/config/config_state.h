@@ -32,6 +32,7 @@ struct ConfigState {
   std::string text;
   std::filesystem::path folder;
   std::unordered_map<std::string, std::filesystem::path> folders;  ///< of included files, by their name for messages
+  std::unordered_map<std::string, std::filesystem::path> trees;    ///< as `folders`: what their relative paths keep to
   std::unique_ptr<ConfigValue> root;
   std::vector<std::unique_ptr<ConfigValue>> replaced;  ///< by overrides; nodes may still point there
   std::vector<NotedFault> faults;

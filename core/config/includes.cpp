@@ -9,6 +9,7 @@
 
 #include "core/config/key_path.h"
 #include "core/config/message_text.h"
+#include "core/config/path_tree.h"
 #include "core/config/text_file.h"
 #include "core/config/yaml_limits.h"
 #include "core/config/yaml_reader.h"
@@ -19,16 +20,22 @@ namespace {
 constexpr int kMaxNesting = 8;
 constexpr std::size_t kMaxFiles = 200;
 
+/// Of the file that names others.
+struct Home {
+  std::filesystem::path folder;
+  std::filesystem::path tree;
+};
+
 class Includes {
  public:
   explicit Includes(ConfigState& state) : state_(state) {}
 
-  void expand(ConfigValue& value, const std::string& path, const std::filesystem::path& folder, int nesting) {
-    if (value.is_map()) expand_map(value, path, folder, nesting);
+  void expand(ConfigValue& value, const std::string& path, const Home& home, int nesting) {
+    if (value.is_map()) expand_map(value, path, home, nesting);
     for (std::size_t i = 0; i < value.children.size(); ++i) {
       ConfigChild& child = value.children[i];
       if (!child.value || own_folder(child)) continue;
-      expand(*child.value, value.is_list() ? item_path(path, i) : key_path(path, child.key), folder, nesting);
+      expand(*child.value, value.is_list() ? item_path(path, i) : key_path(path, child.key), home, nesting);
     }
   }
 
@@ -38,7 +45,7 @@ class Includes {
     return std::find(done_.begin(), done_.end(), child.value.get()) != done_.end();
   }
 
-  void expand_map(ConfigValue& map, const std::string& path, const std::filesystem::path& folder, int nesting) {
+  void expand_map(ConfigValue& map, const std::string& path, const Home& home, int nesting) {
     ConfigChild* const found = map.find(kIncludeKey);
     if (found == nullptr) return;
     const ConfigChild include{found->key, found->place, std::move(found->value)};
@@ -58,10 +65,14 @@ class Includes {
       }
       return;
     }
-    const std::filesystem::path file = folder / include.value->text;
-    std::unique_ptr<ConfigValue> part = read(file, include, include_path);
+    const std::filesystem::path name = include.value->text;
+    const std::filesystem::path file = home.folder / name;
+    const std::string trouble = tree_trouble(home.tree, name, file);
+    if (!trouble.empty()) return state_.note(include.value->place, include_path, trouble);
+    const Home own{file.parent_path(), name.is_absolute() ? tree_of(file.parent_path()) : home.tree};
+    std::unique_ptr<ConfigValue> part = read(file, own, include, include_path);
     if (!part) return;
-    expand(*part, path, file.parent_path(), nesting + 1);
+    expand(*part, path, own, nesting + 1);
     for (ConfigChild& child : part->children) {
       if (map.find(child.key) != nullptr) continue;
       done_.push_back(child.value.get());
@@ -71,7 +82,7 @@ class Includes {
   }
 
   /// The map of the file; null after a fault.
-  std::unique_ptr<ConfigValue> read(const std::filesystem::path& file, const ConfigChild& include,
+  std::unique_ptr<ConfigValue> read(const std::filesystem::path& file, const Home& own, const ConfigChild& include,
                                     const std::string& path) {
     try {
       const std::string text = read_text_file(file, kMaxRunFileBytes);
@@ -85,7 +96,8 @@ class Includes {
         state_.note(include.value->place, path, "must name a file that holds a map of keys, got " + described(*value));
         return nullptr;
       }
-      state_.folders[*name] = file.parent_path();
+      state_.folders[*name] = own.folder;
+      state_.trees[*name] = own.tree;
       state_.files.push_back(file);
       const ConfigExtent extent = extent_of(*value);
       values_ += extent.values;
@@ -112,7 +124,7 @@ class Includes {
 
 void expand_includes(ConfigState& state, ConfigValue& value, const std::string& path,
                      const std::filesystem::path& folder) {
-  Includes(state).expand(value, path, folder, 0);
+  Includes(state).expand(value, path, {folder, tree_of(folder)}, 0);
 }
 
 }  // namespace evenglow::core

@@ -1,20 +1,19 @@
 #include "design/engine/checkpoint.h"
 
-#include <fstream>
 #include <utility>
 
-#include <fcntl.h>
 #include <nlohmann/json.hpp>
-#include <unistd.h>
 
 #include "core/base/error.h"
+#include "design/engine/state_file.h"
 
 namespace evenglow::design {
 namespace {
 
 using nlohmann::json;
 
-constexpr const char* kFormat = "evenglow-checkpoint/2";
+constexpr const char* kFormat = "evenglow-checkpoint/3";
+constexpr int kMaxCellsAlong = 1 << 15;  // their product stays an int
 
 json to_json(const core::CellField& field) {
   const core::CellGrid& g = field.grid;
@@ -31,7 +30,8 @@ core::CellField field_from(const json& node) {
   field.grid.dx = frame[2];
   field.grid.dy = frame[3];
   field.values = node.at("values").get<std::vector<double>>();
-  core::expects(field.grid.nx > 0 && field.grid.ny > 0 && field.values.size() == field.grid.size(),
+  core::expects(field.grid.nx > 0 && field.grid.nx <= kMaxCellsAlong && field.grid.ny > 0 &&
+                    field.grid.ny <= kMaxCellsAlong && field.values.size() == field.grid.size(),
                 "a value for each cell");
   return field;
 }
@@ -111,59 +111,35 @@ DesignProgress progress_from(const json& node) {
   return progress;
 }
 
-/// Closes the file whatever happens.
-class Descriptor {
- public:
-  explicit Descriptor(int descriptor) : descriptor_(descriptor) {}
-  ~Descriptor() {
-    if (descriptor_ >= 0) ::close(descriptor_);
-  }
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-  int get() const { return descriptor_; }
-
- private:
-  int descriptor_;
-};
-
-void write_flushed(const std::filesystem::path& file, const std::string& text) {
-  const Descriptor out(::open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644));
-  if (out.get() < 0) throw core::Error("cannot write " + file.string());
-  std::size_t done = 0;
-  while (done < text.size()) {
-    const ssize_t n = ::write(out.get(), text.data() + done, text.size() - done);
-    if (n <= 0) throw core::Error("cannot write " + file.string() + " (disk full?)");
-    done += static_cast<std::size_t>(n);
-  }
-  if (::fsync(out.get()) != 0) throw core::Error("cannot write " + file.string() + " (disk full?)");
-}
-
 }  // namespace
 
 void save_checkpoint(const std::filesystem::path& file, const std::string& identity, const DesignProgress& progress) {
-  const std::filesystem::path beside = file.string() + ".new";
-  write_flushed(beside, to_json(identity, progress).dump());
-  std::error_code failure;
-  std::filesystem::rename(beside, file, failure);
-  if (failure) throw core::Error("cannot write " + file.string() + ": " + failure.message());
+  save_state(file, to_json(identity, progress).dump());
 }
 
-std::optional<DesignProgress> load_checkpoint(const std::filesystem::path& file, const std::string& identity) {
-  std::ifstream in(file);
-  if (!in) return std::nullopt;
-  std::optional<DesignProgress> progress;
-  std::string found;
+DesignProgress parse_checkpoint(const std::string& object, std::string& identity) {
   try {
-    const json node = json::parse(in);
+    const json node = json::parse(object);
     if (node.at("format").get<std::string>() != kFormat) throw core::Error("it is of another version");
-    found = node.at("identity").get<std::string>();
-    progress = progress_from(node);
-  } catch (const std::exception& error) {
-    throw core::Error(file.string() + ": the checkpoint cannot be used (" + error.what() + ")");
+    identity = node.at("identity").get<std::string>();
+    return progress_from(node);
+  } catch (const json::exception& error) {
+    throw core::Error(error.what());
+  }
+}
+
+std::optional<DesignProgress> load_checkpoint(const std::filesystem::path& file, const std::string& identity,
+                                              std::string* note) {
+  std::optional<DesignProgress> progress;
+  std::string found, told;
+  if (!load_state(
+          file, [&](const std::string& object) { progress = parse_checkpoint(object, found); }, told)) {
+    return std::nullopt;
   }
   if (found != identity) {
     throw core::Error(file.string() + ": the checkpoint is of another run (the run file or an option has changed)");
   }
+  if (note != nullptr) *note = told;
   return progress;
 }
 

@@ -1,8 +1,13 @@
 #include "design/engine/traced_model.h"
 
 #include <chrono>
+#include <cmath>
 #include <utility>
+#include <vector>
 
+#include <fmt/core.h>
+
+#include "core/base/error.h"
 #include "core/base/units.h"
 #include "core/montecarlo/batches.h"
 #include "design/problem/half_angles.h"
@@ -48,6 +53,18 @@ EnergyAccount energy_account(const tracer::Scene& scene, const tracer::TraceResu
   const core::Estimate total = result.energy.weighted_total(lost);
   account.lost = {total.value / whole, total.se / whole};
   return account;
+}
+
+/// Every photon ends in one bin, so the account holds as many as were sent, but for rounding; where they carry
+/// different luminous flux, as many but for chance (the flux of a photon is 1 on average).
+void check_energy(const tracer::TraceResult& result, std::uint32_t step) {
+  constexpr double kRounding = 1e-9;
+  constexpr double kDeviations = 20.0;  // of few batches: the spread is itself known from few numbers
+  const core::Estimate sum = result.energy.weighted_total(std::vector<double>(result.energy.bins(), 1.0));
+  const double sent = static_cast<double>(result.photons);
+  if (std::abs(sum.value - sent) <= kRounding * sent + kDeviations * sum.se) return;
+  throw core::Error(fmt::format("the energy account of step {} holds {} of {} photons: light was lost or made", step,
+                                sum.value, result.photons));
 }
 
 /// Of the whole area (first bin 0) or of a spot.
@@ -109,6 +126,7 @@ ForwardModel traced_model(const tracer::Scene& scene, TracedModelOptions options
     if (options.progress) run.progress = [&](std::uint64_t done) { options.progress(done, run.photons); };
     const auto result = trace(scene, density, run);
     if (!result) return std::nullopt;
+    check_energy(*result, step);
     Observation observation = make_observation(scene, *result);
     observation.cpu_s = core::process_cpu_seconds() - cpu;
     observation.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - wall).count();

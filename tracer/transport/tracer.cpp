@@ -10,26 +10,10 @@
 #include "core/montecarlo/batches.h"
 #include "tracer/transport/photon_history.h"
 #include "tracer/transport/planar_history.h"
+#include "tracer/transport/trace_health.h"
 
 namespace evenglow::tracer {
 namespace {
-
-constexpr double kLostAllowed = 1e-6;
-constexpr double kLostAlwaysAllowed = 10.0;
-
-void check_lost(const Scene& scene, const TraceResult& result) {
-  static constexpr const char* kReasons[] = {"leaked", "stuck", "invalid"};
-  double lost = 0.0;
-  std::string text;
-  for (int i = 0; i < kLossReasons; ++i) {
-    const double count = result.energy.total(scene.energy.lost_bin(static_cast<LossReason>(i))).value;
-    lost += count;
-    text += fmt::format("{}{} {}", i > 0 ? ", " : "", count, kReasons[i]);
-  }
-  if (lost > kLostAlwaysAllowed && lost > kLostAllowed * static_cast<double>(result.photons)) {
-    throw core::Error(fmt::format("too many photons were lost: {} of {} ({})", lost, result.photons, text));
-  }
-}
 
 /// The layers, where the planar path is to be taken.
 std::optional<PlanarScene> planar_layers(const Scene& scene, TracePath path) {
@@ -75,6 +59,36 @@ BatchResults traced_batches(const Scene& scene, const History& history, const Tr
   return sums;
 }
 
+TraceResult added(const Scene& scene, BatchResults sums, std::uint64_t photons) {
+  TraceResult result{photons,
+                     scene.flux,
+                     core::Tally(scene.luminance.bins()),
+                     core::Tally(scene.spec.color ? scene.luminance.bins() : 0),
+                     core::Tally(scene.spec.color ? scene.luminance.bins() : 0),
+                     core::Tally(scene.energy.bins()),
+                     core::Tally(scene.angular ? scene.angular->bins() : 0),
+                     0.0};
+  for (auto& batch : sums) {
+    result.luminance.add_batch(std::move(batch->luminance));
+    result.color_x.add_batch(std::move(batch->color_x));
+    result.color_z.add_batch(std::move(batch->color_z));
+    result.energy.add_batch(std::move(batch->energy));
+    result.angular.add_batch(std::move(batch->angular));
+    result.events += batch->events[0];
+  }
+  return result;
+}
+
+template <typename History>
+std::optional<TraceResult> traced(const Scene& scene, const History& history, const TraceOptions& options) {
+  BatchResults sums = traced_batches(scene, history, options);
+  if (sums.empty()) return std::nullopt;
+  TraceResult result = added(scene, std::move(sums), options.photons);
+  check_health(scene, result, options,
+               [&](std::uint64_t photon, BatchSums& into) { history.run(options.key, photon, into); });
+  return result;
+}
+
 }  // namespace
 
 bool takes_planar_path(const Scene& scene, TracePath path) {
@@ -111,27 +125,8 @@ std::uint64_t whole_batches(std::uint64_t photons, std::size_t batches) {
 
 std::optional<TraceResult> trace(const Scene& scene, const DensityField& density, const TraceOptions& options) {
   const auto layers = planar_layers(scene, options.path);
-  BatchResults sums = layers ? traced_batches(scene, PlanarHistory(scene, *layers, density), options)
-                             : traced_batches(scene, PhotonHistory(scene, density), options);
-  if (sums.empty()) return std::nullopt;
-  TraceResult result{options.photons,
-                     scene.flux,
-                     core::Tally(scene.luminance.bins()),
-                     core::Tally(scene.spec.color ? scene.luminance.bins() : 0),
-                     core::Tally(scene.spec.color ? scene.luminance.bins() : 0),
-                     core::Tally(scene.energy.bins()),
-                     core::Tally(scene.angular ? scene.angular->bins() : 0),
-                     0.0};
-  for (auto& batch : sums) {
-    result.luminance.add_batch(std::move(batch->luminance));
-    result.color_x.add_batch(std::move(batch->color_x));
-    result.color_z.add_batch(std::move(batch->color_z));
-    result.energy.add_batch(std::move(batch->energy));
-    result.angular.add_batch(std::move(batch->angular));
-    result.events += batch->events[0];
-  }
-  check_lost(scene, result);
-  return result;
+  return layers ? traced(scene, PlanarHistory(scene, *layers, density), options)
+                : traced(scene, PhotonHistory(scene, density), options);
 }
 
 }  // namespace evenglow::tracer

@@ -60,8 +60,8 @@ std::uint64_t whole_batches(std::uint64_t photons, std::size_t batches);
 /// Is this scene traced by the planar path? Throws Error if that was asked for and cannot be.
 bool takes_planar_path(const Scene& scene, TracePath path);
 
-/// Traces all photons. Empty if it was stopped. Throws Error if more than 1e-6 of the photons (and more than 10) were
-/// lost, or if the planar path is asked for and the scene is no stack of parallel layers.
+/// Traces all photons. Empty if it was stopped. Throws Error if photons were lost or a sum is no power
+/// (trace_health.h), or if the planar path is asked for and the scene is no stack of parallel layers.
 std::optional<TraceResult> trace(const Scene& scene, const DensityField& density, const TraceOptions& options);
 
 }  // namespace evenglow::tracer
