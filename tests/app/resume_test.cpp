@@ -184,6 +184,8 @@ TEST_F(Resume, OfAnotherRunIsRefused) {
 TEST_F(Resume, OfADamagedCheckpointIsRefused) {
   ASSERT_EQ(interrupted_design(SIGINT).code, 130);
   const std::string state = file_text(checkpoint_);
+  const auto previous = folder_ / "out" / "checkpoint.previous.json";
+  ASSERT_TRUE(std::filesystem::exists(previous));
   std::string other_version = state;
   const std::size_t at = other_version.find("evenglow-checkpoint/");
   ASSERT_NE(at, std::string::npos);
@@ -192,6 +194,7 @@ TEST_F(Resume, OfADamagedCheckpointIsRefused) {
        {std::string(), std::string("{}"), std::string("[1, 2]"), std::string("no JSON\n\x1b"),
         state.substr(0, state.size() / 2), state + state, other_version}) {
     write_text(checkpoint_, damaged);
+    write_text(previous, damaged);
     const ProgramResult result = run(with(design("out"), {"--resume"}));
     EXPECT_EQ(result.code, 2) << damaged.substr(0, 40);
     EXPECT_EQ(result.err_lines().size(), 1u) << result.err;

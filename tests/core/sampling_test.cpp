@@ -36,6 +36,15 @@ void check(const std::function<Vec3(double, double)>& sample, const std::functio
   EXPECT_GT(tests::chi_square_test(counts, expected).p_value, chance);
 }
 
+TEST(Sampling, CosineAndSineOfATurn) {
+  for (int i = 0; i <= 100000; ++i) {
+    const double turn = i / 100000.0;
+    const TurnCosSin phi(turn);
+    ASSERT_NEAR(phi.cos, std::cos(2.0 * kPi * turn), 2e-15) << turn;
+    ASSERT_NEAR(phi.sin, std::sin(2.0 * kPi * turn), 2e-15) << turn;
+  }
+}
+
 TEST(Sampling, Lambertian) {
   check(
       sample_lambertian, [](double c) { return 1.0 - c * c; }, 1e-3);

@@ -65,5 +65,16 @@ TEST(BatchTable, ItsPageEscapesWhatComesFromFiles) {
   EXPECT_THAT(page, HasSubstr("1 of 2 runs done"));
 }
 
+TEST(BatchTable, NoTextBecomesMarkup) {
+  const std::string attack = "\"><b onclick='alert(1)'>";
+  BatchTable table = sample();
+  table.title = table.version = table.command = attack;
+  for (BatchRow& row : table.rows) {
+    row.name = row.file = row.message = row.identity = attack;
+    row.changes = {{attack, attack}};
+  }
+  EXPECT_THAT(batch_html(table, "/nowhere"), ::testing::Not(HasSubstr("<b onclick")));
+}
+
 }  // namespace
 }  // namespace evenglow::design

@@ -35,6 +35,18 @@ TEST(Study, PageHoldsAllAndEscapes) {
   EXPECT_THAT(html, HasSubstr("data-curves"));
 }
 
+TEST(Study, NoTextBecomesMarkup) {
+  const std::string attack = "</script><b onclick='alert(1)'>\"x";
+  Study study = sample();
+  for (std::string* text : {&study.title, &study.version, &study.command, &study.run_file, &study.lead,
+                            &study.columns[0], &study.rows[0][0], &study.plots[0].title, &study.plots[0].curves[0].name,
+                            &study.densities[0].title, &study.densities[0].caption}) {
+    *text = attack;
+  }
+  study.notes = {attack};
+  EXPECT_THAT(study_html(study), Not(HasSubstr("<b onclick")));
+}
+
 TEST(Study, TextHasAlignedColumns) {
   EXPECT_EQ(study_text(sample()),
             "method       RMS (%)\n"

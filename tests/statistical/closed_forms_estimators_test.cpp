@@ -43,7 +43,7 @@ std::string small_plate() {
 
 void check(const std::string& backlight, std::uint64_t photons,
            const std::string& receiver = "cells: [8, 8], cone_deg: 30") {
-  constexpr std::size_t kScenes = 16;
+  constexpr std::size_t kScenes = 17;
   const EstimatorComparison c =
       compare_estimators(backlight, receiver, receiver, {photons, 101, 200, 1}, {photons, 202, 200, 1});
   std::printf("z %.2f, chi2/dof %.3f, relative error of the difference %.4f\n", c.z_mean, c.chi2 / c.cells, c.se_mean);
@@ -92,6 +92,13 @@ TEST(Estimators, FilmHighAboveBetweenMirrors) {
 }
 TEST(Estimators, PlateWithDots) {
   check(small_plate(), 150'000);
+}
+// Light of a dot goes up by way of both walls of a pair.
+TEST(Estimators, PlateNarrowAgainstItsThickness) {
+  check(
+      "light_guide_plate: {length_mm: 2, width_mm: 20, thickness_mm: 4, refractive_index: 1.45}, microstructure: "
+      "{cells: [1, 1], density: 0.3}, sources: [{kind: lambertian_face, face: front}]",
+      400'000, "cells: [3, 4], cone_deg: 20, direction_deg: [60, 0]");
 }
 TEST(Estimators, NarrowCone) {
   check(stack(kDiffuser + ", " + table_dbef()), 400'000, "cells: [4, 4], cone_deg: 12");

@@ -28,9 +28,10 @@ core::StokesVector turned(core::StokesVector light, const core::Vec3& k_out) {
   return light;
 }
 
-/// What a mirror of reflectance 1 makes of the light: identity in the tangential count.
+/// What a mirror of reflectance 1 makes of the light: identity in the tangential count, where both axes of the field
+/// are mirrored too; that turns their handedness, so U and V, counted in a right-handed frame, change sign.
 core::StokesVector mirror_image(const core::StokesVector& light) {
-  return from_film(to_film(light, tangential_frame(light.frame.k)), tangential_frame(mirrored(light.frame.k)));
+  return {light.I, light.Q, -light.U, -light.V, {mirrored(light.frame.k), mirrored(light.frame.e1)}};
 }
 
 }  // namespace
@@ -92,16 +93,17 @@ core::Vec3 Diffuser::draw_direction(const core::Vec3& unscattered, core::PhotonR
     const DiskPoint point(rng);
     double bx = point.a, by = point.b;  // Lambert's law: uniform over the disk of direction cosines
     if (lobe_ || abg_) {
-      const double way = lobe_ ? lobe_->width() * std::sqrt(-2.0 * std::log(point.s)) : abg_->draw_way(rng);
-      const double per_radius = way / std::sqrt(point.s);
+      // Box and Muller's way of the Gaussian over the point's own radius, by one root.
+      const double per_radius = lobe_ ? lobe_->width() * std::sqrt(-2.0 * std::log(point.s) / point.s)
+                                      : abg_->draw_way(rng) / std::sqrt(point.s);
       bx = unscattered.x() + per_radius * point.a;
       by = unscattered.y() + per_radius * point.b;
       const double beta2 = bx * bx + by * by;
       if (beta2 >= 1.0) continue;
-      const double beta = std::sqrt(beta2);
-      const double accept =
-          lobe_ ? lobe_->scaling(beta) / lobe_->largest_scaling() : abg_->scaling(beta) / abg_->largest_scaling();
-      if (rng.uniform() >= accept) continue;
+      const double u = rng.uniform();
+      if (lobe_ ? !lobe_->accepts(beta2, u) : u * abg_->largest_scaling() >= abg_->scaling(std::sqrt(beta2))) {
+        continue;
+      }
     }
     return {bx, by, side * std::sqrt(std::max(1.0 - bx * bx - by * by, 1e-18))};
   }

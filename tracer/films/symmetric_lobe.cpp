@@ -102,6 +102,24 @@ SymmetricLobe::SymmetricLobe(double width) : width_(width) {
   }
   // Between the grid's points the cubic may pass its largest value by its own error.
   largest_ = *std::max_element(scaling_.begin(), scaling_.end()) * (1.0 + 1e-5);
+  find_bounds();
+}
+
+/// From 32 points of each interval; between them c, which is smooth on the scale of the lobe's width, stays within what
+/// it changes by over the whole interval.
+void SymmetricLobe::find_bounds() {
+  constexpr std::size_t kPoints = 32;
+  for (std::size_t i = 0; i < kBounds; ++i) {
+    double least = largest_, most = 0.0;
+    for (std::size_t j = 0; j <= kPoints; ++j) {
+      const double beta2 = (static_cast<double>(i) + static_cast<double>(j) / kPoints) / static_cast<double>(kBounds);
+      const double c = scaling(std::sqrt(beta2));
+      least = std::min(least, c);
+      most = std::max(most, c);
+    }
+    const double slack = (most - least) / kPoints + 1e-6 * most;
+    bounds_[i] = {static_cast<float>(least - slack), static_cast<float>(most + slack)};
+  }
 }
 
 double SymmetricLobe::scaling(double beta) const {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -21,14 +23,29 @@ class SymmetricLobe {
   /// c at |b| in [0, 1]: cubic interpolation on an even grid.
   double scaling(double beta) const;
   double largest_scaling() const { return largest_; }
+  /// uniform < c(|b|) / largest_scaling() for `beta2` = |b|^2 < 1? Mostly told by bounds of c, without working it out.
+  bool accepts(double beta2, double uniform) const {
+    const Bounds& bounds = bounds_[static_cast<std::size_t>(beta2 * static_cast<double>(kBounds))];
+    const double c = uniform * largest_;
+    if (c < static_cast<double>(bounds.least)) return true;
+    return c < static_cast<double>(bounds.most) && c < scaling(std::sqrt(beta2));
+  }
   /// f in 1/sr.
   double value(double beta_in, double beta_out, double distance2) const;
 
  private:
+  /// Of c over an interval of |b|^2, rounded outwards.
+  struct Bounds {
+    float least = 0.0f, most = 0.0f;
+  };
+  static constexpr std::size_t kBounds = 256;  ///< intervals of |b|^2 in [0, 1]
+  void find_bounds();
+
   double width_;
   double inverse_step_ = 1.0;
   double largest_ = 1.0;
   std::vector<double> scaling_;  ///< on beta = 0, step, ..., 1
+  std::array<Bounds, kBounds> bounds_;
 };
 
 /// exp(-x) I_0(x) for x >= 0, relative error below 6e-7 (Abramowitz & Stegun 9.8.1 and 9.8.2).

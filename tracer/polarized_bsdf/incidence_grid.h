@@ -18,6 +18,10 @@ class IncidenceGrid {
   double psi(std::size_t node) const;    ///< rad
   double sigma(std::size_t node) const;  ///< rad
   std::size_t sigma_index(std::size_t node) const { return node % cos2_.size(); }
+  /// The node of 180 degrees - psi.
+  std::size_t mirrored(std::size_t node) const {
+    return (kPsi - node / cos2_.size()) % kPsi * cos2_.size() + sigma_index(node);
+  }
   double sin_sigma(std::size_t node) const { return sin_[node % cos2_.size()]; }
   double cos2_sigma(std::size_t node) const { return cos2_[node % cos2_.size()]; }
   const std::vector<double>& sigmas() const { return sigma_; }  ///< rad, ascending

@@ -67,29 +67,33 @@ SampledBsdf::Response SampledBsdf::turned(const Lobes& lobes, std::size_t index)
 SampledBsdf::Response SampledBsdf::response(std::size_t node, ScatterKind kind, double u, double phi, double cos_phi,
                                             double sin_phi) const {
   const double su = std::clamp(u, 0.0, 1.0) * static_cast<double>(kU);
-  const double sphi = phi * (static_cast<double>(kPhi) / (2.0 * core::kPi));
+  const Held& held = held_[node];
+  const double seen = held.mirror > 0.0 ? phi : 2.0 * core::kPi - phi;
+  const double sphi = std::max(0.0, seen * (static_cast<double>(kPhi) / (2.0 * core::kPi)));
   const std::size_t iu = std::min(static_cast<std::size_t>(su), kU - 1);
   const std::size_t iphi = std::min(static_cast<std::size_t>(sphi), kPhi - 1);
   const double tu = su - static_cast<double>(iu);
   const double tphi = sphi - static_cast<double>(iphi);
-  const std::size_t i = index(node, static_cast<std::size_t>(kind));
+  const std::size_t i = index(held.place, static_cast<std::size_t>(kind));
   const double distance = horizon_distance(grid_.sin_sigma(node), grid_.cos2_sigma(node), cos_phi, sin_phi);
   Response r = turned(bilinear(i, iu, iphi, tu, tphi), i);
   const double r2 = distance * distance;
-  return {r.S * r2, r.x * r2, r.y * r2, kappa(i, iu, iphi, tu, tphi)};
+  return {r.S * r2, r.x * r2, held.mirror * r.y * r2, kappa(i, iu, iphi, tu, tphi)};
 }
 
 SampledBsdf::Draw SampledBsdf::draw(std::size_t node, double q1, double q2, core::PhotonRng& rng) const {
   constexpr double kStep = 2.0 * core::kPi / static_cast<double>(kRows);
   const double sin_in = grid_.sin_sigma(node);
   const double cos2_in = grid_.cos2_sigma(node);
+  const auto [place, mirror] = held_[node];
   // Shares of the two lobes of each kind, and their proposals' sums.
   std::array<double, kKinds> along{}, across{};
   std::array<double, kLobes> odds{};
   for (std::size_t kind = 0; kind < kKinds; ++kind) {
-    const Axis& axis = axes_[index(node, kind)];
-    along[kind] = std::clamp(axis.x * q1 + axis.y * q2, -1.0, 1.0);
-    across[kind] = axis.x * q2 - axis.y * q1;
+    const Axis& axis = axes_[index(place, kind)];
+    const double seen_q2 = mirror * q2;
+    along[kind] = std::clamp(axis.x * q1 + axis.y * seen_q2, -1.0, 1.0);
+    across[kind] = axis.x * seen_q2 - axis.y * q1;
     odds[2 * kind] = 0.5 * (1.0 + along[kind]) * axis.total_a;
     odds[2 * kind + 1] = 0.5 * (1.0 - along[kind]) * axis.total_b;
   }
@@ -101,7 +105,7 @@ SampledBsdf::Draw SampledBsdf::draw(std::size_t node, double q1, double q2, core
     const std::size_t lobe = static_cast<std::size_t>(at >= before[1]) + static_cast<std::size_t>(at >= before[2]) +
                              static_cast<std::size_t>(at >= before[3]);
     const LobeProposals::Block block =
-        proposals_.draw(kLobes * node + lobe, std::min((at - before[lobe]) / odds[lobe], kBelowOne));
+        proposals_.draw(kLobes * place + lobe, std::min((at - before[lobe]) / odds[lobe], kBelowOne));
     const double low4 = u4_[block.column];
     const double span4 = u4_[block.column + 1] - low4;
     const double su = std::sqrt(std::sqrt(low4 + span4 * rng.uniform()));
@@ -111,7 +115,7 @@ SampledBsdf::Draw SampledBsdf::draw(std::size_t node, double q1, double q2, core
     const double sphi = turn * static_cast<double>(kBlock);
     const auto part = static_cast<std::size_t>(sphi);
     const std::size_t kind = lobe / 2;
-    const std::size_t i = index(node, kind);
+    const std::size_t i = index(place, kind);
     const double tu = std::min(su - static_cast<double>(iu), 1.0);
     const double tphi = sphi - static_cast<double>(part);
     const Lobes lobes = bilinear(i, iu, block.row * kBlock + part, tu, tphi);
@@ -128,7 +132,9 @@ SampledBsdf::Draw SampledBsdf::draw(std::size_t node, double q1, double q2, core
     const double power = proposed - slack - 0.5 * lobes.y * across[kind];
     const double bounded = core::select(lobe % 2 == 0, lobes.a, lobes.b) + slack;
     if (rng.uniform() * block.weight * proposed < bounded * r * r * span4 * power) {
-      Draw d{static_cast<ScatterKind>(kind), su * (1.0 / static_cast<double>(kU)), cos_phi, sin_phi, turned(lobes, i)};
+      Draw d{static_cast<ScatterKind>(kind), su * (1.0 / static_cast<double>(kU)), cos_phi, mirror * sin_phi,
+             turned(lobes, i)};
+      d.response.y *= mirror;
       d.response.kappa = kappa(i, iu, block.row * kBlock + part, tu, tphi);
       return d;
     }

@@ -25,6 +25,9 @@ namespace evenglow::tracer {
 /// each, so that the integrals for light along the pass and the block axis equal its values. Without one the table's
 /// own integrals stay, scaled down where some polarization would get R + T > 1; `remarks()` tells what was done.
 ///
+/// Where the table is the same to the last stored digit at psi and phi' as at -psi and -phi', one node serves for both:
+/// less memory, of which more stays in the caches.
+///
 /// Linear polarization here is q = (q1, q2) = (Q, U) / I counted from the film's pass axis (the tangential count of
 /// configs/data/README.md turned by psi). Power towards a direction, per unit incident: (S - D (cos 2 delta, sin 2
 /// delta) . q) / 2.
@@ -58,9 +61,10 @@ class SampledBsdf {
 
   /// Tells the processor that `draw` at this node will follow.
   void prefetch(std::size_t node) const {
-    for (std::size_t lobe = 0; lobe < kLobes; ++lobe) proposals_.prefetch(kLobes * node + lobe);
-    __builtin_prefetch(&axes_[kKinds * node]);
-    __builtin_prefetch(&axes_[kKinds * node + 1]);
+    const std::size_t held = held_[node].place;
+    for (std::size_t lobe = 0; lobe < kLobes; ++lobe) proposals_.prefetch(kLobes * held + lobe);
+    __builtin_prefetch(&axes_[kKinds * held]);
+    __builtin_prefetch(&axes_[kKinds * held + 1]);
   }
 
   const IncidenceGrid& incidences() const { return grid_; }
@@ -98,12 +102,25 @@ class SampledBsdf {
     double total_a = 0.0, total_b = 0.0;                   ///< of the proposals of the two lobes
   };
 
-  static std::size_t index(std::size_t node, std::size_t kind) { return node * kKinds + kind; }
-  void add_points(const std::vector<ResampledPoint>& points, const std::vector<double>& weights);
+  /// Where the tables of a node are held, and whether as they are (1) or seen in the mirror phi' -> -phi' (-1).
+  struct Held {
+    std::size_t place = 0;
+    double mirror = 1.0;
+  };
+  /// Of one node and kind.
+  struct Packed {
+    Axis axis;
+    std::vector<Point> points;
+  };
+
+  static std::size_t index(std::size_t place, std::size_t kind) { return place * kKinds + kind; }
+  void add_node(std::size_t node, const ResampledNode& resampled, bool with_kappa);
+  static Packed packed(const std::vector<ResampledPoint>& points, const std::vector<double>& weights);
+  bool mirrors(const std::array<Packed, kKinds>& kinds, const ResampledNode& node, std::size_t place) const;
   static void scale(Axis& axis, double factor);
-  void add_integrals(std::size_t node, const std::vector<double>& weights);
+  void add_integrals(std::size_t place, const std::vector<double>& weights);
   std::array<double, 2> bounds(std::size_t index, std::size_t row, std::size_t column) const;
-  void add_proposals(std::size_t node);
+  void add_proposals(std::size_t place);
   Lobes value(std::size_t index, std::size_t point) const;
   Lobes bilinear(std::size_t index, std::size_t iu, std::size_t iphi, double tu, double tphi) const;
   Response turned(const Lobes& lobes, std::size_t index) const;
@@ -111,11 +128,13 @@ class SampledBsdf {
   void find_distances();
 
   IncidenceGrid grid_;
-  std::vector<Point> points_;  ///< node, kind, phi', u (u fastest)
-  std::vector<float> kappas_;  ///< as points_; empty: 1 everywhere
-  std::vector<Axis> axes_;     ///< node, kind
-  LobeProposals proposals_;    ///< node, kind, lobe
-  std::vector<std::array<Response, kKinds>> integrals_;
+  std::vector<Held> held_;                               ///< of each node
+  std::vector<std::size_t> sigmas_;                      ///< of each place: sigma node
+  std::vector<Point> points_;                            ///< place, kind, phi', u (u fastest)
+  std::vector<float> kappas_;                            ///< as points_; empty: 1 everywhere
+  std::vector<Axis> axes_;                               ///< place, kind
+  LobeProposals proposals_;                              ///< place, kind, lobe
+  std::vector<std::array<Response, kKinds>> integrals_;  ///< of each node
   std::vector<Response> totals_;
   std::array<double, kRows> cos_row_{}, sin_row_{};       ///< of the middles of the rows of blocks
   std::vector<std::vector<double>> squared_distances_;    ///< r^2 against phi', by sigma node

@@ -32,28 +32,78 @@ SampledBsdf::SampledBsdf(const BsdfTable& table, double wavelength_nm, const Hem
   for (std::size_t c = 0; c < u4_.size(); ++c) u4_[c] = std::pow(static_cast<double>(c * kBlock), 4);
   find_distances();
   Resampler resampler(table, wavelength_nm, hemispherical, pass_index, ResamplingShape{kU, kPhi});
-  points_.reserve(grid_.size() * kKinds * kPoints);
   for (std::size_t node = 0; node < grid_.size(); ++node) {
-    const ResampledNode resampled = resampler.node(grid_.psi(node), grid_.sigma(node));
-    for (const auto& kind : resampled.kinds) {
-      add_points(kind, resampled.weights);
-      if (!resampler.has_kappa()) continue;
-      for (const ResampledPoint& p : kind) kappas_.push_back(static_cast<float>(p.kappa));
-    }
-    add_integrals(node, resampled.weights);
-    add_proposals(node);
+    add_node(node, resampler.node(grid_.psi(node), grid_.sigma(node)), resampler.has_kappa());
   }
+  points_.shrink_to_fit();
   remarks_ = resampler.remarks();
 }
 
-/// Packs the points of one node and kind along the axis of their integral.
-void SampledBsdf::add_points(const std::vector<ResampledPoint>& points, const std::vector<double>& weights) {
+/// Its tables, or a reference to those of which it is the mirror image.
+void SampledBsdf::add_node(std::size_t node, const ResampledNode& resampled, bool with_kappa) {
+  std::array<Packed, kKinds> kinds{packed(resampled.kinds[0], resampled.weights),
+                                   packed(resampled.kinds[1], resampled.weights)};
+  const std::size_t twin = grid_.mirrored(node);
+  if (twin < node && mirrors(kinds, resampled, held_[twin].place)) {
+    held_.push_back({held_[twin].place, -1.0});
+    auto integral = integrals_[twin];
+    for (Response& r : integral) r.y = -r.y;
+    integrals_.push_back(integral);
+    totals_.push_back({totals_[twin].S, totals_[twin].x, -totals_[twin].y});
+    return;
+  }
+  const std::size_t place = sigmas_.size();
+  held_.push_back({place, 1.0});
+  sigmas_.push_back(grid_.sigma_index(node));
+  for (std::size_t kind = 0; kind < kKinds; ++kind) {
+    axes_.push_back(kinds[kind].axis);
+    points_.insert(points_.end(), kinds[kind].points.begin(), kinds[kind].points.end());
+    if (!with_kappa) continue;
+    for (const ResampledPoint& p : resampled.kinds[kind]) kappas_.push_back(static_cast<float>(p.kappa));
+  }
+  add_integrals(place, resampled.weights);
+  add_proposals(place);
+}
+
+/// Are these tables those held at `place`, mirrored, but for the rounding of the last stored digit?
+bool SampledBsdf::mirrors(const std::array<Packed, kKinds>& kinds, const ResampledNode& node, std::size_t place) const {
+  constexpr double kRounding = 1e-9;
+  constexpr double kKappaRounding = 1e-6;
+  for (std::size_t kind = 0; kind < kKinds; ++kind) {
+    const std::size_t i = index(place, kind);
+    const Axis& here = kinds[kind].axis;
+    const Axis& there = axes_[i];
+    // The other's units may have been scaled down by what rounding had added (`add_integrals`).
+    const auto same = [](double a, double b) { return std::abs(a - b) <= kUint16 * std::abs(b); };
+    if (std::abs(here.x - there.x) > kRounding || std::abs(here.y + there.y) > kRounding) return false;
+    if (!same(here.unit_a, there.unit_a) || !same(here.unit_b, there.unit_b)) return false;
+    for (std::size_t phi = 0; phi < kPhi; ++phi) {
+      for (std::size_t u = 0; u < kRing; ++u) {
+        const std::size_t own = phi * kRing + u, other = (kPhi - phi) % kPhi * kRing + u;
+        const Point& p = kinds[kind].points[own];
+        const Point& q = points_[i * kPoints + other];
+        if (std::abs(p.root_a - q.root_a) > 1 || std::abs(p.root_b - q.root_b) > 1) return false;
+        if (p.root_a == q.root_a && p.root_b == q.root_b && std::abs(p.y + q.y) > 1) return false;
+        if (kappas_.empty()) continue;
+        if (std::abs(node.kinds[kind][own].kappa - static_cast<double>(kappas_[i * kPoints + other])) >
+            kKappaRounding) {
+          return false;
+        }
+      }
+    }
+  }
+  return true;
+}
+
+/// The points of one node and kind along the axis of their integral.
+SampledBsdf::Packed SampledBsdf::packed(const std::vector<ResampledPoint>& points, const std::vector<double>& weights) {
   double x = 0.0, y = 0.0;
   for (std::size_t i = 0; i < points.size(); ++i) {
     x += weights[i] * points[i].S * points[i].x;
     y += weights[i] * points[i].S * points[i].y;
   }
-  Axis axis;
+  Packed result;
+  Axis& axis = result.axis;
   const double length = std::hypot(x, y);
   if (length > 0.0) {
     axis.x = x / length;
@@ -68,14 +118,14 @@ void SampledBsdf::add_points(const std::vector<ResampledPoint>& points, const st
   axis.unit_b = std::sqrt(axis.unit_b) * kUint16;
   scale(axis, 1.0);
   for (const ResampledPoint& p : points) {
-    const Point packed{packed_root(0.5 * p.S * (1.0 - along(p)), axis.unit_a),
-                       packed_root(0.5 * p.S * (1.0 + along(p)), axis.unit_b), 0};
-    const double most = 2.0 * packed.root_a * axis.unit_a * packed.root_b * axis.unit_b;
+    Point point{packed_root(0.5 * p.S * (1.0 - along(p)), axis.unit_a),
+                packed_root(0.5 * p.S * (1.0 + along(p)), axis.unit_b), 0};
+    const double most = 2.0 * point.root_a * axis.unit_a * point.root_b * axis.unit_b;
     const double across = p.S * (p.y * axis.x - p.x * axis.y);
-    points_.push_back(packed);
-    if (most > 0.0) points_.back().y = static_cast<std::int16_t>(std::clamp(across / most, -1.0, 1.0) / kInt16);
+    if (most > 0.0) point.y = static_cast<std::int16_t>(std::clamp(across / most, -1.0, 1.0) / kInt16);
+    result.points.push_back(point);
   }
-  axes_.push_back(axis);
+  return result;
 }
 
 /// Multiplies all values of the points by `factor`.
@@ -88,24 +138,24 @@ void SampledBsdf::scale(Axis& axis, double factor) {
 }
 
 /// From the numbers as stored, so that they are those of what is drawn.
-void SampledBsdf::add_integrals(std::size_t node, const std::vector<double>& weights) {
+void SampledBsdf::add_integrals(std::size_t place, const std::vector<double>& weights) {
   std::array<Response, kKinds> integral{};
   for (std::size_t kind = 0; kind < kKinds; ++kind) {
     Lobes sum;
     for (std::size_t i = 0; i < kPoints; ++i) {
-      const Lobes lobes = value(index(node, kind), i);
+      const Lobes lobes = value(index(place, kind), i);
       sum.a += weights[i] * lobes.a;
       sum.b += weights[i] * lobes.b;
       sum.y += weights[i] * lobes.y;
     }
-    integral[kind] = turned(sum, index(node, kind));
+    integral[kind] = turned(sum, index(place, kind));
   }
   // Rounding must not make a film that loses nothing into one that gives.
   const double most =
       0.5 * (integral[0].S + integral[1].S + std::hypot(integral[0].x + integral[1].x, integral[0].y + integral[1].y));
   if (most > 1.0) {
     for (std::size_t kind = 0; kind < kKinds; ++kind) {
-      scale(axes_[index(node, kind)], 1.0 / most);
+      scale(axes_[index(place, kind)], 1.0 / most);
       integral[kind] = {integral[kind].S / most, integral[kind].x / most, integral[kind].y / most};
     }
   }
@@ -130,7 +180,7 @@ void SampledBsdf::find_distances() {
 /// Bounds of (A + |Y| / 2) r^2 and (B + |Y| / 2) r^2 in a block. Both factors are bounded on parts of each interval of
 /// phi', since near grazing r and the lobes change much in it, and against each other.
 std::array<double, 2> SampledBsdf::bounds(std::size_t index, std::size_t row, std::size_t column) const {
-  const std::vector<double>& squares = squared_distances_[grid_.sigma_index(index / kKinds)];
+  const std::vector<double>& squares = squared_distances_[sigmas_[index / kKinds]];
   std::array<double, 2> most{};
   for (std::size_t iphi = row * kBlock; iphi < (row + 1) * kBlock; ++iphi) {
     for (std::size_t iu = column * kBlock; iu <= (column + 1) * kBlock; ++iu) {
@@ -154,23 +204,23 @@ std::array<double, 2> SampledBsdf::bounds(std::size_t index, std::size_t row, st
 
 /// Proposals for each lobe, A + |Y| / 2 and B + |Y| / 2: a block with the odds of its bound x integral of 4 u^3; in it
 /// u^4 and phi' are uniform.
-void SampledBsdf::add_proposals(std::size_t node) {
+void SampledBsdf::add_proposals(std::size_t place) {
   std::array<std::vector<double>, 2> weights;
   for (std::size_t kind = 0; kind < kKinds; ++kind) {
     for (auto& w : weights) w.clear();
     for (std::size_t row = 0; row < kRows; ++row) {
       for (std::size_t column = 0; column < LobeProposals::kColumns; ++column) {
-        const std::array<double, 2> bound = bounds(index(node, kind), row, column);
+        const std::array<double, 2> bound = bounds(index(place, kind), row, column);
         const double measure = kSlack * (u4_[column + 1] - u4_[column]);
         weights[0].push_back(bound[0] * measure);
         weights[1].push_back(bound[1] * measure);
       }
     }
-    Axis& axis = axes_[index(node, kind)];
+    Axis& axis = axes_[index(place, kind)];
     proposals_.add(weights[0]);
     proposals_.add(weights[1]);
-    axis.total_a = proposals_.total(2 * index(node, kind));
-    axis.total_b = proposals_.total(2 * index(node, kind) + 1);
+    axis.total_a = proposals_.total(2 * index(place, kind));
+    axis.total_b = proposals_.total(2 * index(place, kind) + 1);
   }
 }
 

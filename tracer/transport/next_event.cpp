@@ -133,8 +133,12 @@ void NextEvent::leave(Coverage& coverage, const Meeting& meeting, bool estimated
 void NextEvent::meet_wall(Coverage& coverage, int side, const Vec3& k, std::size_t band) const {
   const int axis = side / 2;
   const unsigned pair = 1U << static_cast<unsigned>(axis);
+  // `anchors` mirrors in the nearer wall of a pair only.
+  const double place = coverage.origin[axis];
+  const bool lower = place - scene_.spec.area.min[axis] < scene_.spec.area.max[axis] - place;
   const bool kept = coverage.covered && coverage.straight && (coverage.walls & pair) == 0 &&
-                    smooth_wall_[static_cast<std::size_t>(side)] && reflects_totally(k, axis, band);
+                    side == 2 * axis + (lower ? 0 : 1) && smooth_wall_[static_cast<std::size_t>(side)] &&
+                    reflects_totally(k, axis, band);
   if (!kept) coverage = {};
   coverage.walls |= pair;
 }

@@ -18,6 +18,23 @@ constexpr std::size_t kSubpaths = 32;
 constexpr std::size_t kScatters = 400;
 constexpr std::size_t kLeastJoined = 2, kMostJoined = 8;
 
+/// `CellGrid::index_at` for many places, without divisions.
+class CellFinder {
+ public:
+  explicit CellFinder(const core::CellGrid& grid) : grid_(grid), per_x_(1.0 / grid.dx), per_y_(1.0 / grid.dy) {}
+
+  int index_at(const Vec2& at) const {
+    const double u = (at.x() - grid_.x0) * per_x_;
+    const double v = (at.y() - grid_.y0) * per_y_;
+    if (!(u >= 0.0 && v >= 0.0 && u < grid_.nx && v < grid_.ny)) return -1;
+    return static_cast<int>(v) * grid_.nx + static_cast<int>(u);
+  }
+
+ private:
+  const core::CellGrid& grid_;
+  double per_x_, per_y_;
+};
+
 }  // namespace
 
 bool NextEvent::inside(const ViewerArrival& arrival, const Vec2& at) const {
@@ -116,6 +133,8 @@ void NextEvent::join(const Meeting& meeting, std::size_t list, double brdf, std:
                        (list % 2 != 0 ? optics.per_n2_above : optics.per_n2_below);
   const bool with_images = brdf >= 0.0 && &meeting.optics == optics.pattern && list % 2 != 0;
   std::array<Anchor, 4> places;
+  const bool pupil = scene_.luminance.pupil().has_value();
+  const CellFinder cells(scene_.luminance.cells());
   const std::size_t place_count = anchors(meeting.position.head<2>(), with_images, meeting.band, places);
   for (std::size_t i = 0; i < joins; ++i) {
     const ViewerArrival& arrival = pool.next(list);
@@ -127,7 +146,14 @@ void NextEvent::join(const Meeting& meeting, std::size_t list, double brdf, std:
       if (anchor.x && !reflects_totally(k, 0, meeting.band)) continue;
       if (anchor.y && !reflects_totally(k, 1, meeting.band)) continue;
       if (power < 0.0) power = scale * scattered_power(meeting, arrival, brdf);
-      score(meeting, arrival, anchor.place, power, pool, sums);
+      if (pupil) {
+        score(meeting, arrival, anchor.place, power, pool, sums);
+        continue;
+      }
+      const int bin = cells.index_at(anchor.place + arrival.display);
+      if (bin < 0) continue;
+      const double open = arrival.crossings > 0 ? open_share(pool.arrivals(), arrival, anchor.place) : 1.0;
+      sums.add_luminance({static_cast<std::size_t>(bin), arrival.view.weight * open * power}, meeting.weight);
     }
   }
 }
@@ -156,6 +182,7 @@ std::size_t NextEvent::anchors(const Vec2& at, bool with_images, std::size_t ban
   return count;
 }
 
+/// Into a pupil, which is seen from each place in another direction.
 void NextEvent::score(const Meeting& meeting, const ViewerArrival& arrival, const Vec2& anchor, double factor,
                       const ViewerPool& pool, BatchSums& sums) const {
   const Vec2 seen = anchor + arrival.display;

@@ -198,7 +198,10 @@ bool PhotonHistory::interact(Walk& walk, const RayHit& hit, const Encounter& enc
                              BatchSums& sums) const {
   Photon& photon = walk.photon;
   const Surface& surface = scene_.optics[walk.band].surfaces[static_cast<std::size_t>(hit.quad)];
-  const StokesVector light = to_local(surface, photon.light);
+  const bool upright = is_upright(surface);
+  StokesVector turned;
+  if (!upright) turned = to_local(surface, photon.light);
+  const StokesVector& light = upright ? photon.light : turned;
   const NextEvent::Meeting meeting{hit.quad, *encounter.optics, light, hit.position, walk.band, walk.weight, walk.told};
   const bool estimated = next_event_.meet(walk.coverage, meeting, sums);
   const double k_before = light.frame.k.z();
@@ -209,7 +212,7 @@ bool PhotonHistory::interact(Walk& walk, const RayHit& hit, const Encounter& enc
   }
   const bool crosses = k_before * sample->light.frame.k.z() > 0.0;
   next_event_.leave(walk.coverage, meeting, estimated, sample->specular);
-  photon.light = to_world(surface, sample->light);
+  photon.light = upright ? sample->light : to_world(surface, sample->light);
   if (++walk.events % kEventsPerRenormalization == 0) renormalize(photon.light.frame);
   if (!std::isfinite(photon.light.frame.k.sum() + photon.light.Q + photon.light.U + photon.light.V)) {
     sums.energy[scene_.energy.lost_bin(LossReason::kInvalid)] += 1.0;

@@ -1,29 +1,16 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 
 #include "tracer/transport/photon_history.h"
-#include "tracer/transport/planar_cells.h"
+#include "tracer/transport/planar_face.h"
+#include "tracer/transport/planar_pattern.h"
 #include "tracer/transport/planar_wall.h"
-#include "tracer/transport/surface_frame.h"
 
 namespace evenglow::tracer {
-
-/// A photon that comes to the patterned face, from inside or outside.
-struct PatternArrival {
-  std::size_t cell = 0;
-  bool met = false;  ///< the microstructure, else the smooth face
-  core::Vec3 position = core::Vec3::Zero();
-  MeridianLight light{};
-};
-
-/// Is told nothing; costs nothing. Another observer has `kActive` = true and is called with each PatternArrival.
-struct NoArrivalObserver {
-  static constexpr bool kActive = false;
-  void operator()(const PatternArrival&) const {}
-};
 
 /// The part of a walk that is spent in the plate, from face to face: total reflections between two walls, or two
 /// meetings with the pattern, are taken in one step.
@@ -34,11 +21,10 @@ class PlanarPlateWalk {
 
   PlanarPlateWalk(const PlanarPlate& plate, const PlanarCells& cells, const PhotonHistory& history, const Scene& scene,
                   Observer& observer)
-      : plate_(plate), cells_(cells), history_(history), scene_(scene), observer_(observer), s_(plate) {
+      : plate_(plate), history_(history), scene_(scene), s_(plate), pattern_(s_, cells, history, scene, observer) {
     const ViewerLevels& levels = history.next_event().levels();
     level_[0] = levels.of_quad(plate.quads[static_cast<std::size_t>(Side::kBottom)]);
     level_[1] = levels.of_quad(plate.quads[static_cast<std::size_t>(Side::kTop)]);
-    estimates_ = history.next_event().active();
   }
 
   /// A photon in air that has come to the face `side`: enters it and is followed until it is in air again (true) or
@@ -49,10 +35,12 @@ class PlanarPlateWalk {
     s_.z = hit.position.z();
     if (side >= 4) {
       s_.light = Light(walk.photon.light);
-      if (side == plate_.pattern_side && arrives_at_pattern(0, 0.0, progress, rng)) {
+      if (side == plate_.pattern_side && pattern_.meets(progress, rng)) {
         return meet_as_surface(walk, hit, {plate_.pattern, plate_.pattern_part}, progress, rng, sums);
       }
-      if (!passes_face_inwards(walk, side, rng)) return true;
+      pass_levels(walk, side == static_cast<int>(Side::kTop) ? 1 : 0, 1);
+      walk.corner = -1;
+      if (!PlanarFace<Light>(s_, side).lets_in(walk.photon, rng)) return true;
     } else {
       if (!plate_.smooth[static_cast<std::size_t>(side)]) {
         const Surface& surface = scene_.optics[walk.band].surfaces[static_cast<std::size_t>(hit.quad)];
@@ -91,7 +79,7 @@ class PlanarPlateWalk {
           return false;
         case Leg::kMet:
           if (encounter_.optics == plate_.pattern && plate_.dots.known) {
-            if (!meet_dot(walk, rng, sums)) return false;
+            if (!pattern_.meet_dot(walk, rng, sums)) return false;
             break;
           }
           walk.photon.light = s_.light.stokes();
@@ -164,7 +152,7 @@ class PlanarPlateWalk {
     if (plate_.pattern_side >= 0) {
       const bool pattern_first = (k.kz > 0.0) == (plate_.pattern_side == static_cast<int>(Side::kTop));
       const std::int64_t before =
-          first_meeting(faces, pattern_first ? 0 : 1, to_face, period, walk, progress, rng, sums);
+          pattern_.first_meeting(faces, pattern_first ? 0 : 1, to_face, period, walk, progress, rng, sums);
       if (before < faces) {
         faces = before;
         distance = to_face + static_cast<double>(before) * period;
@@ -189,43 +177,6 @@ class PlanarPlateWalk {
     return at_wall(walk, progress, rng, x_wall, distance);
   }
 
-  /// Faces met before the pattern is: every second arrival from `first` on comes to the patterned face.
-  std::int64_t first_meeting(std::int64_t faces, std::int64_t first, double to_face, double period, const Walk& walk,
-                             PlanarProgress& progress, core::PhotonRng& rng, BatchSums& sums) {
-    const double start = to_face + static_cast<double>(first) * period;
-    double column = cells_.column(s_.x + s_.light.kx * start);
-    double row = cells_.row(s_.y + s_.light.ky * start);
-    const double columns = cells_.columns_per(2.0 * s_.light.kx * period);
-    const double rows = cells_.rows_per(2.0 * s_.light.ky * period);
-    for (std::int64_t face = first; face < faces; face += 2) {
-      const std::size_t cell = cells_.cell(column, row);
-      const bool met = progress.meets(cells_.open(cell), rng);
-      if (estimates_ && progress.owes(NextEvent::estimates(cells_.depth(cell)))) {
-        estimate_pattern(walk, face, to_face + static_cast<double>(face) * period, sums);
-      }
-      if constexpr (Observer::kActive) tell(cell, met, face, to_face + static_cast<double>(face) * period);
-      if (met) return face;
-      column += columns;
-      row += rows;
-    }
-    return faces;
-  }
-
-  void tell(std::size_t cell, bool met, std::int64_t reflections, double distance) {
-    Light light = s_.light;
-    light.reflect_totally(s_.face.phase_re, s_.face.phase_im, reflections);
-    if (reflections % 2 != 0) light.kz = -light.kz;
-    const double z = s_.plane(plate_.pattern_side);
-    observer_(PatternArrival{cell, met, {s_.x + light.kx * distance, s_.y + light.ky * distance, z}, light.meridian()});
-  }
-
-  bool arrives_at_pattern(std::int64_t reflections, double distance, PlanarProgress& progress, core::PhotonRng& rng) {
-    const std::size_t cell = cells_.cell(cells_.column(s_.x), cells_.row(s_.y));
-    const bool met = progress.meets(cells_.open(cell), rng);
-    if constexpr (Observer::kActive) tell(cell, met, reflections, distance);
-    return met;
-  }
-
   Leg meet_pattern(double distance) {
     s_.clamp_into_plate();
     s_.z = s_.plane(plate_.pattern_side);
@@ -235,103 +186,18 @@ class PlanarPlateWalk {
     return Leg::kMet;
   }
 
-  /// A plain dot from inside; false: absorbed.
-  bool meet_dot(Walk& walk, core::PhotonRng& rng, BatchSums& sums) {
-    const PlainReflector& dots = plate_.dots;
-    const double u = rng.uniform();
-    const bool mirrored = u < dots.mirrored;
-    estimate_dot(walk, mirrored, sums);
-    if (u >= dots.reflectance) {
-      sums.energy[scene_.energy.absorbed_bin(dots.part)] += walk.weight.y();
-      return false;
-    }
-    Light& k = s_.light;
-    if (mirrored) {
-      k.mirror();
-      k.kz = -k.kz;
-      return true;
-    }
-    const core::Vec3 out = lambertian(rng);
-    k.forget_polarization();
-    k.kx = out.x();
-    k.ky = out.y();
-    k.kz = std::copysign(out.z(), -k.kz);
-    s_.turned();
-    return true;
-  }
-
-  /// What `NextEvent` is due at an arrival at the pattern from inside, whether or not it is met.
-  void estimate_pattern(const Walk& walk, std::int64_t reflections, double distance, BatchSums& sums) const {
-    const int quad = plate_.quads[static_cast<std::size_t>(plate_.pattern_side)];
-    const core::Vec3 place(s_.x + s_.light.kx * distance, s_.y + s_.light.ky * distance, s_.plane(plate_.pattern_side));
-    core::StokesVector arriving{1.0, 0.0, 0.0, 0.0, {}};
-    if (!plate_.dots.known) {  // else only the side counts from which it comes: along the normal, out of the plate
-      Light light = s_.light;
-      light.reflect_totally(s_.face.phase_re, s_.face.phase_im, reflections);
-      if (reflections % 2 != 0) light.kz = -light.kz;
-      arriving = to_local(scene_.optics[walk.band].surfaces[static_cast<std::size_t>(quad)], light.stokes());
-    }
-    history_.next_event().estimate_pattern({quad, *plate_.pattern, arriving, place, walk.band, walk.weight}, sums);
-  }
-
-  void estimate_dot(Walk& walk, bool mirrored, BatchSums& sums) const {
-    const NextEvent& next_event = history_.next_event();
-    if (!next_event.active()) return;
-    const Surface& surface = scene_.optics[walk.band].surfaces[static_cast<std::size_t>(hit_quad_)];
-    const core::StokesVector light = to_local(surface, s_.light.stokes());
-    const core::Vec3 position = s_.position();
-    const NextEvent::Meeting meeting{hit_quad_, *plate_.pattern, light, position, walk.band, walk.weight, walk.told};
-    const bool estimated = next_event.meet(walk.coverage, meeting, sums);
-    next_event.leave(walk.coverage, meeting, estimated, mirrored);
-  }
-
   /// At the bottom or the top, where light gets out.
   Leg at_face(Walk& walk, PlanarProgress& progress, core::PhotonRng& rng, BatchSums& sums, double distance) {
     const bool upward = s_.light.kz > 0.0;
     const int side = static_cast<int>(upward ? Side::kTop : Side::kBottom);
-    if (side == plate_.pattern_side) {
-      const std::size_t cell = cells_.cell(cells_.column(s_.x), cells_.row(s_.y));
-      if (estimates_ && progress.owes(NextEvent::estimates(cells_.depth(cell)))) estimate_pattern(walk, 0, 0.0, sums);
-      if (arrives_at_pattern(0, 0.0, progress, rng)) return meet_pattern(distance);
+    if (side == plate_.pattern_side && pattern_.meets_from_inside(walk, progress, rng, sums)) {
+      return meet_pattern(distance);
     }
     pass_levels(walk, upward ? 1 : 0, 1);
     s_.z = s_.plane(side);
-    Light& k = s_.light;
-    if (s_.face.reflects(k, rng)) {
-      s_.face.reflect(k);
-      k.kz = -k.kz;
-      return Leg::kReflected;
-    }
-    const double n = plate_.refractive_index;
-    s_.face.pass(k);
-    k.kx *= n;
-    k.ky *= n;
-    k.kz = std::copysign(s_.face.cos_t, k.kz);
-    s_.clamp_into_plate();
+    if (!PlanarFace<Light>(s_, side).lets_out(walk.photon, rng)) return Leg::kReflected;
     walk.corner = -1;
-    s_.leave(walk.photon, plate_.quads[static_cast<std::size_t>(side)], k.stokes());
     return upward && plate_.open_above ? Leg::kEscaped : Leg::kLeft;
-  }
-
-  /// From air at the bottom or the top; false: reflected there.
-  bool passes_face_inwards(Walk& walk, int side, core::PhotonRng& rng) {
-    Light& k = s_.light;
-    pass_levels(walk, side == static_cast<int>(Side::kTop) ? 1 : 0, 1);
-    walk.corner = -1;
-    const double n = plate_.refractive_index;
-    const PlateFresnel face(std::abs(k.kz), 1.0, n);
-    if (face.reflects(k, rng)) {
-      face.reflect(k);
-      k.kz = -k.kz;
-      s_.leave(walk.photon, plate_.quads[static_cast<std::size_t>(side)], k.stokes());
-      return false;
-    }
-    face.pass(k);
-    k.kx *= plate_.per_index;
-    k.ky *= plate_.per_index;
-    k.kz = std::copysign(face.cos_t, k.kz);
-    s_.turned();
-    return true;
   }
 
   Leg at_wall(Walk& walk, PlanarProgress& progress, core::PhotonRng& rng, bool x_wall, double distance) {
@@ -346,7 +212,8 @@ class PlanarPlateWalk {
       encounter_ = {surface.optics, surface.part};
       return Leg::kMet;
     }
-    history_.next_event().meet_wall(walk.coverage, side, {s_.light.kx, s_.light.ky, s_.light.kz}, walk.band);
+    if (walk.coverage.covered)
+      history_.next_event().meet_wall(walk.coverage, side, {s_.light.kx, s_.light.ky, s_.light.kz}, walk.band);
     walk.corner = -1;
     switch (PlanarWall<Light>(s_, side).from_inside(walk.photon, progress, rng)) {
       case WallEnd::kInside:
@@ -360,13 +227,11 @@ class PlanarPlateWalk {
   }
 
   const PlanarPlate& plate_;
-  const PlanarCells& cells_;
   const PhotonHistory& history_;
   const Scene& scene_;
-  Observer& observer_;
   PlanarPlateState<Light> s_;
+  PlanarPattern<Light, Observer> pattern_;
   std::array<int, 2> level_{-1, -1};  ///< of bottom and top (`ViewerLevels`)
-  bool estimates_ = false;            ///< is the luminance estimated at the pattern?
   int absorber_ = 0;
   int hit_quad_ = -1;
   double hit_distance_ = 0.0;

@@ -91,6 +91,17 @@ std::optional<RayHit> PlanarScene::entry_of_plate(const Photon& photon) const {
   const Vec3& p = photon.position;
   const Vec3& k = photon.light.frame.k;
   const Box& box = plate_->box;
+  const bool from_above = k.z() < 0.0 && p.z() >= box.max.z();
+  if (from_above || (k.z() > 0.0 && p.z() <= box.min.z())) {  // as most light does
+    const std::size_t side = static_cast<std::size_t>(from_above ? Side::kTop : Side::kBottom);
+    const double z = from_above ? box.max.z() : box.min.z();
+    const double t = (z - p.z()) / k.z();
+    const double x = p.x() + t * k.x();
+    const double y = p.y() + t * k.y();
+    if (x > box.min.x() && x < box.max.x() && y > box.min.y() && y < box.max.y()) {
+      return RayHit{plate_->quads[side], t, {x, y, z}};
+    }
+  }
   double enter = -kInfinity;
   double leave = kInfinity;
   int side = 0;

@@ -36,6 +36,18 @@ TEST(SymmetricLobe, LosesNothingAtAnyIncidence) {
   }
 }
 
+TEST(SymmetricLobe, AcceptsByItsScaling) {
+  for (const double width : {0.003, 0.05, 0.425, 2.0}) {
+    const SymmetricLobe lobe(width);
+    for (int i = 0; i < 20000; ++i) {
+      const double beta2 = i / 20000.0;
+      const double odds = lobe.scaling(std::sqrt(beta2)) / lobe.largest_scaling();
+      ASSERT_TRUE(lobe.accepts(beta2, odds * (1.0 - 1e-9))) << width << " " << beta2;
+      ASSERT_FALSE(lobe.accepts(beta2, odds * (1.0 + 1e-9))) << width << " " << beta2;
+    }
+  }
+}
+
 TEST(SymmetricLobe, ScalingIsOneFarFromTheHorizonAndMoreNearIt) {
   const SymmetricLobe lobe(0.02);
   EXPECT_NEAR(lobe.scaling(0.0), 1.0, 1e-6);

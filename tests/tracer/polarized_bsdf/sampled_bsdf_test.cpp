@@ -151,6 +151,46 @@ TEST(SampledBsdf, KeepsItsTotalsBeyondTheLastIncidence) {
             "short.csv: no data beyond sigma = 30 degrees; the lobes of that incidence are held, and its totals");
 }
 
+/// Pairs of nodes that are mirror images to the last bit: those that share their tables.
+std::size_t shared_nodes(const SampledBsdf& bsdf) {
+  const IncidenceGrid& grid = bsdf.incidences();
+  std::size_t shared = 0;
+  for (std::size_t node = 0; node < grid.size(); ++node) {
+    const std::size_t twin = grid.mirrored(node);
+    if (twin >= node) continue;
+    EXPECT_NEAR(grid.psi(node) + grid.psi(twin), core::kPi, 1e-12);
+    EXPECT_EQ(grid.sigma(node), grid.sigma(twin));
+    const double phi = 1.1;
+    const auto a = bsdf.response(node, ScatterKind::reflection, 0.3, phi, std::cos(phi), std::sin(phi));
+    const auto b =
+        bsdf.response(twin, ScatterKind::reflection, 0.3, 2.0 * core::kPi - phi, std::cos(phi), -std::sin(phi));
+    if (std::abs(a.S - b.S) < 1e-6 * a.S && std::abs(a.y + b.y) < 1e-6 * a.S) ++shared;
+  }
+  return shared;
+}
+
+TEST(SampledBsdf, MirrorImagesShareTheirTables) {
+  const SampledBsdf bsdf(BsdfTable::read(tests::data_file("dbef.csv")), 550.0, nullptr, 1.58);
+  EXPECT_EQ(shared_nodes(bsdf), 5 * IncidenceGrid::kSigma);
+  EXPECT_LT(bsdf.bytes(), 3'300'000u);
+}
+
+TEST(SampledBsdf, AFilmWithoutMirrorSymmetryKeepsAllTables) {
+  std::string text = "kind,psi_deg,sigma_deg,phi_deg,theta_deg,lambda_nm,tau_min,tau_max,delta_deg\n";
+  for (const char* incidence : {"0,0", "45,0", "90,0", "135,0", "0,60", "45,60", "90,60", "135,60"}) {
+    const bool odd = std::string(incidence).substr(0, 3) == "135";
+    for (const char* phi : {"0", "90", "180", "270"}) {
+      for (const char* theta : {"0", "40", "80"}) {
+        text += std::string("BRDF,") + incidence + "," + phi + "," + theta + ",550,0.05," + (odd ? "0.12" : "0.15") +
+                ",0\n";
+      }
+    }
+  }
+  const SampledBsdf bsdf(BsdfTable::parse(text, "skew.csv"), 550.0, nullptr, 1.58);
+  EXPECT_LT(shared_nodes(bsdf), IncidenceGrid::kSigma);
+  EXPECT_GT(bsdf.bytes(), 5'000'000u);
+}
+
 TEST(SampledBsdf, StaysWithin16MB) {
   const SampledBsdf bsdf(BsdfTable::read(tests::data_file("dbef.csv")), 550.0, nullptr, 1.58);
   EXPECT_LT(bsdf.bytes(), 16u << 20);

@@ -1,0 +1,98 @@
+#include "core/base/durable_file.h"
+
+#include <csignal>
+#include <fstream>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+
+#include "core/base/error.h"
+#include "tests/support/permissions.h"
+#include "tests/support/temp_folder.h"
+
+namespace evenglow::core {
+namespace {
+
+using ::testing::HasSubstr;
+
+/// While it lives, files may not grow beyond so many bytes: to a writer, a full disk.
+class FullDisk {
+ public:
+  explicit FullDisk(rlim_t bytes) {
+    ::getrlimit(RLIMIT_FSIZE, &before_);
+    old_ = std::signal(SIGXFSZ, SIG_IGN);
+    const rlimit limit{bytes, before_.rlim_max};
+    ::setrlimit(RLIMIT_FSIZE, &limit);
+  }
+  ~FullDisk() {
+    ::setrlimit(RLIMIT_FSIZE, &before_);
+    std::signal(SIGXFSZ, old_);
+  }
+  FullDisk(const FullDisk&) = delete;
+  FullDisk& operator=(const FullDisk&) = delete;
+
+ private:
+  rlimit before_{};
+  void (*old_)(int) = SIG_DFL;
+};
+
+std::string message_of(const std::function<void()>& act) {
+  try {
+    act();
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+std::size_t files_in(const std::filesystem::path& folder) {
+  return static_cast<std::size_t>(std::distance(std::filesystem::directory_iterator(folder), {}));
+}
+
+TEST(DurableFile, ReplacesAWholeFile) {
+  const tests::TempFolder folder;
+  write_durably(folder / "a", "one");
+  write_durably(folder / "a", "two");
+  EXPECT_EQ(tests::file_text(folder / "a"), "two");
+  EXPECT_EQ(files_in(folder.path()), 1u);
+}
+
+TEST(DurableFile, KeepsTheOneBefore) {
+  const tests::TempFolder folder;
+  for (const char* text : {"one", "two", "three"}) write_durably_keeping(folder / "a", folder / "b", text);
+  EXPECT_EQ(tests::file_text(folder / "a"), "three");
+  EXPECT_EQ(tests::file_text(folder / "b"), "two");
+  EXPECT_EQ(files_in(folder.path()), 2u);
+}
+
+TEST(DurableFile, AFullDiskIsToldAndTheOldFilesStay) {
+  const tests::TempFolder folder;
+  write_durably_keeping(folder / "a", folder / "b", "one");
+  write_durably_keeping(folder / "a", folder / "b", "two");
+  const std::string large(100'000, 'x');
+  {
+    const FullDisk full(50'000);
+    const auto told = message_of([&] { write_durably_keeping(folder / "a", folder / "b", large); });
+    EXPECT_THAT(told, HasSubstr("cannot write " + (folder / "a").string() + ": File too large"));
+    EXPECT_THAT(message_of([&] { prove_writable(folder.path(), 100'000); }), HasSubstr("File too large"));
+  }
+  EXPECT_EQ(tests::file_text(folder / "a"), "two");
+  EXPECT_EQ(tests::file_text(folder / "b"), "one");
+  EXPECT_EQ(files_in(folder.path()), 2u) << "nothing half is left";
+}
+
+TEST(DurableFile, AReadOnlyOrMissingFolderIsTold) {
+  const tests::ObeyingPermissions obeying;
+  const tests::TempFolder folder;
+  const auto place = folder / "place";
+  EXPECT_THAT(message_of([&] { write_durably(place / "a", "x"); }), HasSubstr("No such file or directory"));
+  std::filesystem::create_directory(place);
+  std::filesystem::permissions(place, std::filesystem::perms::owner_read | std::filesystem::perms::owner_exec);
+  EXPECT_THAT(message_of([&] { write_durably(place / "a", "x"); }), HasSubstr("Permission denied"));
+  EXPECT_THAT(message_of([&] { prove_writable(place, 10); }), HasSubstr("Permission denied"));
+  std::filesystem::permissions(place, std::filesystem::perms::owner_all);
+}
+
+}  // namespace
+}  // namespace evenglow::core
