@@ -25,11 +25,13 @@ std::string metrics_text(const LuminanceMetrics& reflection, const LuminanceMetr
          metrics_line("reflection", reflection) + metrics_line("transmission", transmission);
 }
 
-/// Path of `file` as written in a run file at `run_file`; in quotes, as any name may be.
+/// Path of `file` as written in a run file at `run_file`, in quotes, as any name may be; absolute where a relative one
+/// would climb higher than a run file may name.
 std::string yaml_path(const std::filesystem::path& file, const std::filesystem::path& run_file) {
   const auto folder = std::filesystem::absolute(run_file).parent_path();
-  const std::string name =
-      std::filesystem::absolute(file).lexically_normal().lexically_relative(folder.lexically_normal()).string();
+  const auto absolute = std::filesystem::absolute(file).lexically_normal();
+  const std::string relative = absolute.lexically_relative(folder.lexically_normal()).string();
+  const std::string name = relative.starts_with("../../") ? absolute.string() : relative;
   std::string text = "\"";
   for (const char c : name) text += (c == '"' || c == '\\') ? std::string{'\\', c} : std::string(1, c);
   return text + "\"";
