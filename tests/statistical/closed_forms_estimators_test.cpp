@@ -98,7 +98,7 @@ TEST(Estimators, PlateNarrowAgainstItsThickness) {
   check(
       "light_guide_plate: {length_mm: 2, width_mm: 20, thickness_mm: 4, refractive_index: 1.45}, microstructure: "
       "{cells: [1, 1], density: 0.3}, sources: [{kind: lambertian_face, face: front}]",
-      400'000, "cells: [3, 4], cone_deg: 20, direction_deg: [60, 0]");
+      2'000'000, "cells: [3, 4], cone_deg: 20, direction_deg: [60, 0]");
 }
 TEST(Estimators, NarrowCone) {
   check(stack(kDiffuser + ", " + table_dbef()), 400'000, "cells: [4, 4], cone_deg: 12");
