@@ -12,7 +12,8 @@ namespace {
 class ReportInBrowserLong : public ::testing::Test {
  protected:
   void SetUp() override {
-    if (run_program({"/bin/sh", "-c", "command -v chromium"}).code != 0) GTEST_SKIP() << "chromium is not installed";
+    ASSERT_EQ(run_program({"/bin/sh", "-c", "command -v chromium"}).code, 0)
+        << "chromium must be installed (scripts/packages_development.txt)";
     write_text(folder_ / "tiny.yaml", kTinyRun);
   }
 
