@@ -6,6 +6,7 @@
 
 #include "core/base/error.h"
 #include "design/report/batch_table.h"
+#include "design/report/json_metrology.h"
 
 namespace evenglow::design {
 namespace {
@@ -14,20 +15,6 @@ using Json = nlohmann::ordered_json;
 
 constexpr const char* kFormat = "evenglow-batch/1";
 constexpr std::array<std::string_view, 4> kStatusNames = {"waiting", "done", "failed", "wrong_input"};
-
-Json final_of(const FinalJudgment& f) {
-  return {{"photons", f.photons},
-          {"rms", f.rms},
-          {"rms_corrected", f.rms_corrected.value},
-          {"rms_corrected_se", f.rms_corrected.se},
-          {"uniformity_9", f.uniformity_9},
-          {"uniformity_13", f.uniformity_13},
-          {"luminance_mean_cd_m2", f.luminance_mean.value},
-          {"luminance_mean_se", f.luminance_mean.se},
-          {"luminance_centre_cd_m2", f.luminance_center},
-          {"efficiency", f.efficiency.value},
-          {"efficiency_se", f.efficiency.se}};
-}
 
 FinalJudgment final_from(const Json& node) {
   const auto number = [&](const char* key) {
@@ -43,6 +30,8 @@ FinalJudgment final_from(const Json& node) {
   f.luminance_mean = estimate("luminance_mean_cd_m2", "luminance_mean_se");
   f.luminance_center = number("luminance_centre_cd_m2");
   f.efficiency = estimate("efficiency", "efficiency_se");
+  f.rms_low = number("rms_95_low");
+  f.rms_high = number("rms_95_high");
   return f;
 }
 
@@ -52,7 +41,7 @@ Json row_of(const BatchRow& row) {
   Json json = {{"name", row.name},       {"file", row.file},   {"status", status_name(row.status)},
                {"message", row.message}, {"changes", changes}, {"identity", row.identity},
                {"cpu_s", row.cpu_s}};
-  if (row.status == BatchStatus::kDone) json["final"] = final_of(row.final);
+  if (row.status == BatchStatus::kDone) json["final"] = final_json(row.final);
   return json;
 }
 

@@ -37,6 +37,22 @@ Json half_angles_json(const std::optional<HalfAngles>& angles) {
 
 }  // namespace
 
+nlohmann::ordered_json final_json(const FinalJudgment& f) {
+  return {{"photons", f.photons},
+          {"rms", f.rms},
+          {"rms_corrected", f.rms_corrected.value},
+          {"rms_corrected_se", f.rms_corrected.se},
+          {"uniformity_9", f.uniformity_9},
+          {"uniformity_13", f.uniformity_13},
+          {"luminance_mean_cd_m2", f.luminance_mean.value},
+          {"luminance_mean_se", f.luminance_mean.se},
+          {"luminance_centre_cd_m2", f.luminance_center},
+          {"efficiency", f.efficiency.value},
+          {"efficiency_se", f.efficiency.se},
+          {"rms_95_low", f.rms_low},
+          {"rms_95_high", f.rms_high}};
+}
+
 Json color_json(const ColorJudgment& color) {
   Json object{{"mean", point_json(color.mean)}, {"emitted", emitted_json(color.emitted)}};
   put(object, "shift_uv", color.shift);

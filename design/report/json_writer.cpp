@@ -36,22 +36,6 @@ Json steps_of(const Report& report) {
   return steps;
 }
 
-Json final_of(const FinalJudgment& f) {
-  return {{"photons", f.photons},
-          {"rms", f.rms},
-          {"rms_corrected", f.rms_corrected.value},
-          {"rms_corrected_se", f.rms_corrected.se},
-          {"uniformity_9", f.uniformity_9},
-          {"uniformity_13", f.uniformity_13},
-          {"luminance_mean_cd_m2", f.luminance_mean.value},
-          {"luminance_mean_se", f.luminance_mean.se},
-          {"luminance_centre_cd_m2", f.luminance_center},
-          {"efficiency", f.efficiency.value},
-          {"efficiency_se", f.efficiency.se},
-          {"rms_95_low", f.rms_low},
-          {"rms_95_high", f.rms_high}};
-}
-
 /// A key for a name, or for its second bearer "name (2)": no share is lost from the sum.
 std::string free_key(const Json& object, const std::string& name) {
   std::string key = name;
@@ -90,7 +74,7 @@ Json timing_of(const Report& report) {
 }
 
 Json variant_of(const Report& report) {
-  Json variant = final_of(report.final);
+  Json variant = final_json(report.final);
   variant["emitted_lm"] = report.energy.emitted_lm;
   variant["energy"] = energy_values(report.energy);
   variant["steps"] = report.steps.size();
@@ -119,7 +103,7 @@ std::string result_json(const Report& report) {
               {"luminance_estimator", report.luminance_estimator},
               {"density_limits", {report.density_min, report.density_max}},
               {"steps", steps_of(report)},
-              {"final", final_of(report.final)},
+              {"final", final_json(report.final)},
               {"energy", energy_values(report.energy)},
               {"energy_se", energy_of(report.energy, &core::Estimate::se)},
               {"notes", report.notes}};
