@@ -10,6 +10,7 @@
 #include "core/montecarlo/batches.h"
 #include "tracer/transport/photon_history.h"
 #include "tracer/transport/planar_history.h"
+#include "tracer/transport/recording_history.h"
 
 namespace evenglow::tracer {
 namespace {
@@ -75,6 +76,31 @@ BatchResults traced_batches(const Scene& scene, const History& history, const Tr
   return sums;
 }
 
+/// The batches, with records beside them if they are wanted.
+template <typename History>
+BatchResults batches_and_records(const Scene& scene, const DensityField& density, const History& history,
+                                 const TraceOptions& options, std::shared_ptr<const ArrivalRecords>& records) {
+  RecordingHistory<History> recording(history, options.photons / options.batches, options.batches,
+                                      options.record_bytes);
+  BatchResults sums = traced_batches(scene, recording, options);
+  if (!sums.empty()) {
+    records = std::make_shared<ArrivalRecords>(density, scene.luminance.bins(), options.threads, recording.take_logs());
+  }
+  return sums;
+}
+
+BatchResults all_batches(const Scene& scene, const DensityField& density, const TraceOptions& options,
+                         std::shared_ptr<const ArrivalRecords>& records) {
+  const auto layers = planar_layers(scene, options.path);
+  const std::size_t most = ArrivalLog::kMostIndex;
+  const bool record = options.record_bytes > 0 && scene.luminance.bins() <= most && density.cells.values.size() <= most;
+  if (layers && record)
+    return batches_and_records(scene, density, PlanarRecordingHistory(scene, *layers, density), options, records);
+  if (layers) return traced_batches(scene, PlanarHistory(scene, *layers, density), options);
+  if (record) return batches_and_records(scene, density, PhotonHistory(scene, density), options, records);
+  return traced_batches(scene, PhotonHistory(scene, density), options);
+}
+
 }  // namespace
 
 bool takes_planar_path(const Scene& scene, TracePath path) {
@@ -110,10 +136,6 @@ std::uint64_t whole_batches(std::uint64_t photons, std::size_t batches) {
 }
 
 std::optional<TraceResult> trace(const Scene& scene, const DensityField& density, const TraceOptions& options) {
-  const auto layers = planar_layers(scene, options.path);
-  BatchResults sums = layers ? traced_batches(scene, PlanarHistory(scene, *layers, density), options)
-                             : traced_batches(scene, PhotonHistory(scene, density), options);
-  if (sums.empty()) return std::nullopt;
   TraceResult result{options.photons,
                      scene.flux,
                      core::Tally(scene.luminance.bins()),
@@ -122,6 +144,8 @@ std::optional<TraceResult> trace(const Scene& scene, const DensityField& density
                      core::Tally(scene.energy.bins()),
                      core::Tally(scene.angular ? scene.angular->bins() : 0),
                      0.0};
+  BatchResults sums = all_batches(scene, density, options, result.records);
+  if (sums.empty()) return std::nullopt;
   for (auto& batch : sums) {
     result.luminance.add_batch(std::move(batch->luminance));
     result.color_x.add_batch(std::move(batch->color_x));
