@@ -6,10 +6,12 @@
 
 #include <fmt/core.h>
 
+#include "core/montecarlo/batches.h"
 #include "design/engine/level_search.h"
 #include "design/problem/density_limits.h"
 #include "design/problem/merit.h"
 #include "design/problem/target.h"
+#include "tracer/transport/arrival_records.h"
 
 namespace evenglow::design {
 namespace {
@@ -18,9 +20,11 @@ constexpr double kSettledLevel = 0.05;
 constexpr double kNoneYet = 1e9;       // worse than any RMS
 constexpr double kRoughlyRight = 0.3;  // RMS below which the level is chosen
 constexpr double kStallGain = 0.05;
-constexpr double kWantedError = 0.15;  // of the RMS, over the RMS to reach
-constexpr double kLevelStep = 1.25;    // largest factor of a correction of the level
-constexpr double kLeastSlope = 0.05;   // below it the efficiency does not hear the level
+constexpr double kWantedError = 0.15;                     // of the RMS, over the RMS to reach
+constexpr double kLevelStep = 1.25;                       // largest factor of a correction of the level
+constexpr const char* kRecordedSteps = "recorded_steps";  // in the memory: step, photons and density of each
+constexpr std::size_t kMostRecordBytes = std::size_t{512} << 20;
+constexpr double kLeastSlope = 0.05;  // below it the efficiency does not hear the level
 
 bool reached(const StepRecord& record, const DesignSpec& spec) {
   return record.rms_corrected.value <= spec.stop_rms + record.rms_corrected.se &&
@@ -43,8 +47,9 @@ bool stalled(const std::vector<StepRecord>& steps, const DesignLimits& limits, i
   return std::min_element(recent, steps.end(), less)->rms_corrected.value > (1.0 - kStallGain) * before;
 }
 
-std::uint64_t next_photons(const StepRecord& record, const DesignSpec& spec, const DesignLimits& limits) {
-  const double wanted = std::max(record.rms_corrected.value, spec.stop_rms);
+/// `solves`: the next density is as even as the noise of this trace lets it be, however uneven this one was.
+std::uint64_t next_photons(const StepRecord& record, const DesignSpec& spec, const DesignLimits& limits, bool solves) {
+  const double wanted = solves ? spec.stop_rms : std::max(record.rms_corrected.value, spec.stop_rms);
   const bool noisy = record.noise > wanted;
   const bool unsure = record.rms_corrected.se > kWantedError * wanted;
   const double growth = noisy || unsure ? spec.photon_growth : 1.0;
@@ -70,7 +75,9 @@ class Loop {
     if (!state) return false;
     DesignProgress before = progress_;  // an interruption during the search of the level undoes the step
     StepRecord& record = state->record;
+    const double cpu = core::process_cpu_seconds();
     Proposal proposal = updater_->propose(*state, spec_, progress_.memory);
+    if (updater_->wants_records()) record.cpu_s += core::process_cpu_seconds() - cpu;
     record.updater = proposal.method.empty() ? spec_.updater : proposal.method;
     record.held_low = proposal.clipped_low;
     record.held_high = proposal.clipped_high;
@@ -84,7 +91,7 @@ class Loop {
     }
     progress_.stop_reason = stop_reason(proposal);
     progress_.density = std::move(proposal.density);
-    progress_.photons = next_photons(record, spec_, limits_);
+    progress_.photons = next_photons(record, spec_, limits_, records_wanted());
     observer(progress_.steps.back(), progress_);
     return true;
   }
@@ -92,13 +99,60 @@ class Loop {
  private:
   std::optional<DesignState> observe() {
     const int number = static_cast<int>(progress_.steps.size());
-    auto observation = model_(progress_.density, progress_.photons, static_cast<std::uint32_t>(number));
+    const auto step = static_cast<std::uint32_t>(number);
+    if (records_wanted() && !restore_records(step)) return std::nullopt;
+    auto observation = records_wanted() ? model_.recording(progress_.density, progress_.photons, step)
+                                        : model_(progress_.density, progress_.photons, step);
     if (!observation) return std::nullopt;
+    keep_records(*observation, step);
     DesignState state{progress_.density, std::move(*observation)};
+    state.recorded = recorded_;
     state.record = make_step_record(number, state.density, state.observation, spec_);
     if (number == 0) progress_.start_luminance = state.observation.map.luminance;
     Target(spec_, state.observation.map.luminance.grid).flatten(state.observation);
     return state;
+  }
+
+  bool records_wanted() const { return model_.recording && updater_->wants_records(); }
+
+  /// The newest, and of the earlier ones those that fit.
+  void keep_records(const Observation& observation, std::uint32_t step) {
+    if (!observation.records) return;
+    recorded_.push_back({observation.records, observation.luminance, observation.photons, step});
+    const auto bytes = [&] {
+      std::size_t sum = 0;
+      for (const RecordedTrace& trace : recorded_) sum += trace.records->bytes();
+      return sum;
+    };
+    while (recorded_.size() > 1 && bytes() > kMostRecordBytes) recorded_.erase(recorded_.begin());
+    auto& told = progress_.memory[kRecordedSteps];
+    told.clear();
+    for (const RecordedTrace& trace : recorded_) {
+      told.push_back(trace.step);
+      told.push_back(static_cast<double>(trace.photons));
+      const auto& density = trace.records->density().cells.values;
+      told.insert(told.end(), density.begin(), density.end());
+    }
+  }
+
+  /// Records are not in the checkpoint, but what they were traced with is: after an interruption they are traced again,
+  /// to the same bits. False: interrupted.
+  bool restore_records(std::uint32_t step) {
+    const auto told = progress_.memory.find(kRecordedSteps);
+    if (!recorded_.empty() || told == progress_.memory.end()) return true;
+    const std::vector<double> list = told->second;
+    tracer::DensityField density = progress_.density;
+    const std::size_t cells = density.cells.values.size();
+    for (std::size_t at = 0; at + 2 + cells <= list.size(); at += 2 + cells) {
+      const auto number = static_cast<std::uint32_t>(list[at]);
+      if (number >= step) break;
+      const auto values = list.begin() + static_cast<std::ptrdiff_t>(at) + 2;
+      std::copy(values, values + static_cast<std::ptrdiff_t>(cells), density.cells.values.begin());
+      auto again = model_.recording(density, static_cast<std::uint64_t>(list[at + 1]), number);
+      if (!again) return false;
+      keep_records(*again, number);
+    }
+    return true;
   }
 
   void keep_best(const StepRecord& record, const tracer::DensityField& density) {
@@ -182,6 +236,7 @@ class Loop {
   const DesignLimits& limits_;
   std::unique_ptr<const Updater> updater_;
   DesignProgress progress_;
+  std::vector<RecordedTrace> recorded_;
 };
 
 }  // namespace

@@ -22,10 +22,15 @@ constexpr std::uint32_t kStride = 4096;  // steps of random numbers that a point
 
 /// Steps of point `point` get random numbers of their own; judging traces count down from the judging step.
 ForwardModel own_numbers(const ForwardModel& model, int point) {
-  return [&model, point](const tracer::DensityField& density, std::uint64_t photons, std::uint32_t step) {
-    const auto number = static_cast<std::uint32_t>(point);
-    return model(density, photons, step == kJudgingStep ? kJudgingStep - number : step + number * kStride);
+  const auto renumbered = [point](const auto& traced) {
+    return [&traced, point](const tracer::DensityField& density, std::uint64_t photons, std::uint32_t step) {
+      const auto number = static_cast<std::uint32_t>(point);
+      return traced(density, photons, step == kJudgingStep ? kJudgingStep - number : step + number * kStride);
+    };
   };
+  ForwardModel own = renumbered(model);
+  if (model.recording) own.recording = renumbered(model.recording);
+  return own;
 }
 
 tracer::DensityField at_level(tracer::DensityField density, double level, const DesignSpec& spec) {

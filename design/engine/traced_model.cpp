@@ -94,6 +94,31 @@ void add_angular(const tracer::Scene& scene, const tracer::TraceResult& result, 
   }
 }
 
+/// One trace; `record_bytes` 0: without records.
+std::optional<Observation> observe(const tracer::Scene& scene, const TracedModelOptions& options,
+                                   std::size_t record_bytes, const tracer::DensityField& density, std::uint64_t photons,
+                                   std::uint32_t step) {
+  const auto wall = std::chrono::steady_clock::now();
+  const double cpu = core::process_cpu_seconds();
+  tracer::TraceOptions run;
+  run.photons = tracer::whole_batches(photons, options.batches);
+  run.batches = options.batches;
+  run.key = {options.seed, options.stream, step};
+  run.threads = options.threads;
+  run.stop = options.stop;
+  run.path = options.path;
+  run.record_bytes = record_bytes;
+  if (options.progress) run.progress = [&](std::uint64_t done) { options.progress(done, run.photons); };
+  const auto result = trace(scene, density, run);
+  if (!result) return std::nullopt;
+  check_energy(*result, step);
+  Observation observation = make_observation(scene, *result);
+  observation.records = result->records;
+  observation.cpu_s = core::process_cpu_seconds() - cpu;
+  observation.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - wall).count();
+  return observation;
+}
+
 }  // namespace
 
 Observation make_observation(const tracer::Scene& scene, const tracer::TraceResult& result) {
@@ -112,26 +137,14 @@ Observation make_observation(const tracer::Scene& scene, const tracer::TraceResu
 }
 
 ForwardModel traced_model(const tracer::Scene& scene, TracedModelOptions options) {
-  return [&scene, options = std::move(options)](const tracer::DensityField& density, std::uint64_t photons,
-                                                std::uint32_t step) -> std::optional<Observation> {
-    const auto wall = std::chrono::steady_clock::now();
-    const double cpu = core::process_cpu_seconds();
-    tracer::TraceOptions run;
-    run.photons = tracer::whole_batches(photons, options.batches);
-    run.batches = options.batches;
-    run.key = {options.seed, options.stream, step};
-    run.threads = options.threads;
-    run.stop = options.stop;
-    run.path = options.path;
-    if (options.progress) run.progress = [&](std::uint64_t done) { options.progress(done, run.photons); };
-    const auto result = trace(scene, density, run);
-    if (!result) return std::nullopt;
-    check_energy(*result, step);
-    Observation observation = make_observation(scene, *result);
-    observation.cpu_s = core::process_cpu_seconds() - cpu;
-    observation.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - wall).count();
-    return observation;
+  const auto with_bytes = [&](std::size_t bytes) {
+    return [&scene, options, bytes](const tracer::DensityField& density, std::uint64_t photons, std::uint32_t step) {
+      return observe(scene, options, bytes, density, photons, step);
+    };
   };
+  ForwardModel model = with_bytes(0);
+  model.recording = with_bytes(options.record_bytes);
+  return model;
 }
 
 }  // namespace evenglow::design

@@ -16,10 +16,11 @@ constexpr MapRange kMaskRange = {0.0, 1.0, "1 (the cell counts) or 0"};
 constexpr MapRange kLimitRange = {0.0, 1.0, "a density in [0, 1]"};
 
 void read_updater(const ConfigNode& node, DesignSpec& spec) {
-  spec.updater = node.choice({"updater",
-                              "how the next density is proposed",
-                              {"auto", "ratio_noise_aware", "anderson", "ratio", "stochastic_approximation", "spline"},
-                              std::string(spec.updater)});
+  spec.updater = node.choice(
+      {"updater",
+       "how the next density is proposed",
+       {"auto", "ratio_noise_aware", "path_reuse", "anderson", "ratio", "stochastic_approximation", "spline"},
+       std::string(spec.updater)});
   spec.power = node.number({"power", "exponent of target over luminance", {0, 2, true, false}, spec.power});
   spec.anderson_vectors = static_cast<int>(node.integer(
       {"anderson_vectors", "earlier steps that the acceleration may combine", 1, 8, spec.anderson_vectors}));

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -9,6 +10,10 @@
 #include "design/problem/judgment.h"
 #include "tracer/receivers/luminance_receiver.h"
 #include "tracer/scene/density_field.h"
+
+namespace evenglow::tracer {
+class ArrivalRecords;
+}
 
 namespace evenglow::design {
 
@@ -27,17 +32,31 @@ struct Observation {
   core::Tally color_z;
   double cpu_s = 0.0;
   double wall_s = 0.0;
+  std::shared_ptr<const tracer::ArrivalRecords> records{};  ///< histories of its photons, if they were asked for
+};
+
+/// A trace whose histories are kept.
+struct RecordedTrace {
+  std::shared_ptr<const tracer::ArrivalRecords> records;
+  core::Tally luminance;  ///< of all its photons, as traced
+  std::uint64_t photons = 0;
+  std::uint32_t step = 0;  ///< whose random numbers it had
 };
 
 /// One step of a design: a density and what it showed.
 struct DesignState {
   tracer::DensityField density;
   Observation observation;
-  StepRecord record{};  ///< how it is judged
+  StepRecord record{};                    ///< how it is judged
+  std::vector<RecordedTrace> recorded{};  ///< of this step (last) and earlier ones, for updaters that want records
 };
 
 /// From a density to an observation, with `photons` photons and the random numbers of `step`. Empty: interrupted.
-using ForwardModel = std::function<std::optional<Observation>(const tracer::DensityField& density,
-                                                              std::uint64_t photons, std::uint32_t step)>;
+struct ForwardModel : std::function<std::optional<Observation>(const tracer::DensityField& density,
+                                                               std::uint64_t photons, std::uint32_t step)> {
+  using function::function;
+  /// The same with records of the histories in the observation; null: this model has none.
+  function recording{};
+};
 
 }  // namespace evenglow::design

@@ -8,6 +8,8 @@
 #include "design/updaters/anderson_updater.h"
 #include "design/updaters/log_step.h"
 #include "design/updaters/noise_aware_ratio_updater.h"
+#include "design/updaters/path_reuse_updater.h"
+#include "tracer/transport/arrival_records.h"
 
 namespace evenglow::design {
 namespace {
@@ -16,6 +18,7 @@ constexpr double kSlow = 0.35;     // of the RMS in a step
 constexpr double kExplains = 4.0;  // times the noise of the step before, in squares
 constexpr double kLinear = 0.3;    // RMS below which slowness speaks of coupling, not of a far start
 constexpr int kTrials = 2;
+constexpr double kRecorded = 0.1;  // of the photons
 
 constexpr const char* kState = "auto";
 /// Entries of kState: squared RMS of the last step, noise in its update, accelerating (0, 1), times given up.
@@ -50,9 +53,18 @@ std::string choose(const StepRecord& record, std::vector<double>& state) {
       contraction);
 }
 
+/// Do the histories of the step fit the memory, or a good part of them?
+bool enough_records(const DesignState& state) {
+  if (state.recorded.empty()) return false;
+  const RecordedTrace& newest = state.recorded.back();
+  return static_cast<double>(newest.records->photons()) >= kRecorded * static_cast<double>(newest.photons);
+}
+
 class AutoUpdater final : public Updater {
  public:
+  bool wants_records() const override { return true; }
   Proposal propose(const DesignState& state, const DesignSpec& spec, UpdaterMemory& memory) const override {
+    if (enough_records(state)) return reuse_paths(state, spec);
     const Denoised excess = noise_aware_excess(state);
     const core::CellField residual = ratio_step(state, spec, excess.field);
     auto& own = memory[kState];

@@ -33,6 +33,8 @@ class Updater {
   virtual Proposal propose(const DesignState& state, const DesignSpec& spec, UpdaterMemory& memory) const = 0;
   /// Steps without gain after which the design counts as stalled: searches that try need more than updates that aim.
   virtual int patience(const DesignSpec&) const { return 4; }
+  /// Does it make use of the histories of the photons (`DesignState::recorded`)?
+  virtual bool wants_records() const { return false; }
 };
 
 /// One line for each updater.

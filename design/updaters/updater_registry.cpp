@@ -2,6 +2,7 @@
 #include "design/updaters/anderson_updater.h"
 #include "design/updaters/auto_updater.h"
 #include "design/updaters/noise_aware_ratio_updater.h"
+#include "design/updaters/path_reuse_updater.h"
 #include "design/updaters/ratio_updater.h"
 #include "design/updaters/spline_updater.h"
 #include "design/updaters/stochastic_approximation_updater.h"
@@ -14,6 +15,7 @@ const std::vector<UpdaterEntry>& updater_registry() {
       {"auto", "chooses by measured coupling and noise", make_auto_updater},
       {"ratio_noise_aware", "the ratio update on the response with its noise taken out band by band",
        make_noise_aware_ratio_updater},
+      {"path_reuse", "inner steps on re-weighted histories of the traces so far", make_path_reuse_updater},
       {"anderson", "Anderson acceleration of ratio_noise_aware in ln density", make_anderson_updater},
       {"ratio", "density times a power of target over luminance", make_ratio_updater},
       {"stochastic_approximation", "ratio steps whose gain falls cell by cell with each change of sign",

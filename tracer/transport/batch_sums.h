@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "tracer/scene/scene.h"
+#include "tracer/transport/arrival_log.h"
 #include "tracer/transport/viewer_pool.h"
 
 namespace evenglow::tracer {
@@ -17,6 +18,7 @@ struct BatchSums {
   std::vector<double> angular;      ///< as energy
   std::vector<double> events{0.0};  ///< surface interactions
   ViewerPools viewer;               ///< what the next-event estimate joins scatters to
+  ArrivalLog* log = nullptr;        ///< where the luminance of the photon is taken down, if it is
 
   explicit BatchSums(const Scene& scene)
       : luminance(scene.luminance.bins()),
@@ -28,6 +30,7 @@ struct BatchSums {
   /// Adds a luminance score of a photon that carries the tristimulus values `weight`.
   void add_luminance(const Score& score, const core::Vec3& weight) {
     luminance[score.bin] += score.weight * weight.y();
+    if (log != nullptr) log->deposit(score.bin, score.weight * weight.y());
     if (color_x.empty()) return;
     color_x[score.bin] += score.weight * weight.x();
     color_z[score.bin] += score.weight * weight.z();

@@ -111,8 +111,10 @@ void NextEvent::estimate_pattern(const Meeting& meeting, BatchSums& sums) const 
   const int level = pattern_level_[meeting.band];
   const int cell = density_.cells.grid.nearest_index(meeting.position.x(), meeting.position.y());
   const Vec3 weight = density_per_estimate_[static_cast<std::size_t>(cell)] * meeting.weight;
+  if (sums.log != nullptr) sums.log->begin_share(static_cast<std::size_t>(cell));
   estimate({meeting.quad, meeting.optics, meeting.light, meeting.position, meeting.band, weight}, level,
            optics_of(level, meeting.band).pattern_brdf, kPatternPart, sums);
+  if (sums.log != nullptr) sums.log->end_share();
 }
 
 void NextEvent::leave(Coverage& coverage, const Meeting& meeting, bool estimated, bool specular) const {

@@ -103,6 +103,8 @@ class NextEvent {
             BatchSums& sums) const;
   double scattered_power(const Meeting& meeting, const ViewerArrival& arrival, double brdf) const;
   double open_share(const ViewerArrivals& arrivals, const ViewerArrival& arrival, const core::Vec2& at) const;
+  void tell_crossings(const ViewerArrivals& arrivals, const ViewerArrival& arrival, const core::Vec2& at,
+                      ArrivalLog& log) const;
   bool inside(const ViewerArrival& arrival, const core::Vec2& at) const;
   void renew(ViewerPool& pool, std::size_t band) const;
   void set_joins(ViewerPool& pool) const;

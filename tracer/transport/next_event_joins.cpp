@@ -55,6 +55,14 @@ double NextEvent::open_share(const ViewerArrivals& arrivals, const ViewerArrival
   return share;
 }
 
+void NextEvent::tell_crossings(const ViewerArrivals& arrivals, const ViewerArrival& arrival, const Vec2& at,
+                               ArrivalLog& log) const {
+  for (std::size_t i = 0; i < arrival.crossings; ++i) {
+    const Vec2 place = at + arrivals.crossings[arrival.first_crossing + i];
+    log.crossing(static_cast<std::size_t>(density_.cells.grid.nearest_index(place.x(), place.y())));
+  }
+}
+
 /// importance . scattered light, 1/sr.
 double NextEvent::scattered_power(const Meeting& meeting, const ViewerArrival& arrival, double brdf) const {
   if (brdf >= 0.0) return brdf * meeting.light.I * arrival.importance.I;
@@ -191,6 +199,7 @@ void NextEvent::score(const Meeting& meeting, const ViewerArrival& arrival, cons
   const auto counted = scene_.luminance.score_view({seen.x(), seen.y(), scene_.box.max.z()}, arrival.view);
   if (!counted) return;
   const double open = arrival.crossings > 0 ? open_share(pool.arrivals(), arrival, anchor) : 1.0;
+  if (sums.log != nullptr) tell_crossings(pool.arrivals(), arrival, anchor, *sums.log);
   sums.add_luminance({counted->bin, counted->weight * open * factor}, meeting.weight);
 }
 

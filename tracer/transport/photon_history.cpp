@@ -191,7 +191,12 @@ PhotonHistory::Flight PhotonHistory::fly(Walk& walk, double distance, core::Phot
 
 bool PhotonHistory::interact(Walk& walk, const RayHit& hit, core::PhotonRng& rng, BatchSums& sums) const {
   const Surface& surface = scene_.optics[walk.band].surfaces[static_cast<std::size_t>(hit.quad)];
-  return interact(walk, hit, meet(surface, hit.position, rng), rng, sums);
+  const Encounter encounter = meet(surface, hit.position, rng);
+  if (sums.log != nullptr && surface.pattern != nullptr) {
+    const int cell = density_.cells.grid.nearest_index(hit.position.x(), hit.position.y());
+    sums.log->arrival(static_cast<std::size_t>(cell), encounter.optics == surface.pattern);
+  }
+  return interact(walk, hit, encounter, rng, sums);
 }
 
 bool PhotonHistory::interact(Walk& walk, const RayHit& hit, const Encounter& encounter, core::PhotonRng& rng,

@@ -17,7 +17,8 @@ struct PatternArrival {
   MeridianLight light{};
 };
 
-/// Is told nothing; costs nothing. Another observer has `kActive` = true and is called with each PatternArrival.
+/// Is told nothing; costs nothing. Another observer has `kActive` = true and is called with each PatternArrival, or, if
+/// it has `arrive(cell, met)`, with these two alone.
 struct NoArrivalObserver {
   static constexpr bool kActive = false;
   void operator()(const PatternArrival&) const {}
@@ -108,6 +109,14 @@ class PlanarPattern {
   }
 
   void tell(std::size_t cell, bool met, std::int64_t reflections, double distance) {
+    if constexpr (requires(Observer & observer) { observer.arrive(cell, met); }) {
+      observer_.arrive(cell, met);
+    } else {
+      tell_in_full(cell, met, reflections, distance);
+    }
+  }
+
+  void tell_in_full(std::size_t cell, bool met, std::int64_t reflections, double distance) {
     Light light = s_.light;
     light.reflect_totally(s_.face.phase_re, s_.face.phase_im, reflections);
     if (reflections % 2 != 0) light.kz = -light.kz;

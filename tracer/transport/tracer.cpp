@@ -10,6 +10,7 @@
 #include "core/montecarlo/batches.h"
 #include "tracer/transport/photon_history.h"
 #include "tracer/transport/planar_history.h"
+#include "tracer/transport/recording_history.h"
 #include "tracer/transport/trace_health.h"
 
 namespace evenglow::tracer {
@@ -89,6 +90,20 @@ std::optional<TraceResult> traced(const Scene& scene, const History& history, co
   return result;
 }
 
+/// With records beside the numbers.
+template <typename History>
+std::optional<TraceResult> recorded(const Scene& scene, const DensityField& density, const History& history,
+                                    const TraceOptions& options) {
+  RecordingHistory<History> recording(history, options.photons / options.batches, options.batches,
+                                      options.record_bytes);
+  auto result = traced(scene, recording, options);
+  if (result) {
+    result->records =
+        std::make_shared<ArrivalRecords>(density, scene.luminance.bins(), options.threads, recording.take_logs());
+  }
+  return result;
+}
+
 }  // namespace
 
 bool takes_planar_path(const Scene& scene, TracePath path) {
@@ -125,8 +140,12 @@ std::uint64_t whole_batches(std::uint64_t photons, std::size_t batches) {
 
 std::optional<TraceResult> trace(const Scene& scene, const DensityField& density, const TraceOptions& options) {
   const auto layers = planar_layers(scene, options.path);
-  return layers ? traced(scene, PlanarHistory(scene, *layers, density), options)
-                : traced(scene, PhotonHistory(scene, density), options);
+  const std::size_t most = ArrivalLog::kMostIndex;
+  const bool record = options.record_bytes > 0 && scene.luminance.bins() <= most && density.cells.values.size() <= most;
+  if (layers && record) return recorded(scene, density, PlanarRecordingHistory(scene, *layers, density), options);
+  if (layers) return traced(scene, PlanarHistory(scene, *layers, density), options);
+  if (record) return recorded(scene, density, PhotonHistory(scene, density), options);
+  return traced(scene, PhotonHistory(scene, density), options);
 }
 
 }  // namespace evenglow::tracer

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <stop_token>
 
@@ -10,6 +11,7 @@
 #include "core/montecarlo/tally.h"
 #include "tracer/scene/density_field.h"
 #include "tracer/scene/scene.h"
+#include "tracer/transport/arrival_records.h"
 
 namespace evenglow::tracer {
 
@@ -36,9 +38,10 @@ struct TraceResult {
   core::Tally luminance;  ///< scores, 1/sr
   core::Tally color_x;    ///< as luminance, for the tristimulus values X and Z; no bins unless the color is asked for
   core::Tally color_z;
-  core::Tally energy;   ///< photons
-  core::Tally angular;  ///< photons
-  double events = 0.0;  ///< surface interactions in all
+  core::Tally energy;                               ///< photons
+  core::Tally angular;                              ///< photons
+  double events = 0.0;                              ///< surface interactions in all
+  std::shared_ptr<const ArrivalRecords> records{};  ///< if they were asked for
 };
 
 /// Photons done so far; called from any thread, one call at a time.
@@ -52,6 +55,9 @@ struct TraceOptions {
   std::stop_token stop{};
   TraceProgress progress{};
   TracePath path = TracePath::kAuto;
+  /// Bytes for records of histories (`ArrivalRecords`), of the first photons of each batch; 0: none. The numbers of the
+  /// trace are the same with and without.
+  std::size_t record_bytes = 0;
 };
 
 /// The next multiple of `batches` that is not less than `photons`.

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "core/math/cell_field.h"
+#include "core/montecarlo/tally.h"
+#include "tracer/scene/density_field.h"
+#include "tracer/transport/arrival_log.h"
+
+namespace evenglow::tracer {
+
+/// Luminance that records give at some density.
+struct Reweighted {
+  core::Tally luminance;      ///< the unit of a trace of `photons` photons: scores, 1/sr
+  std::uint64_t photons = 0;  ///< recorded
+  double effective_share =
+      0.0;  ///< (sum W)^2 / (n sum W^2), W the weight of a history at its last deposit; 1: as traced
+};
+
+/// Histories of the photons of one trace, kept so that the luminance at another density needs no new photons
+/// (importance sampling: Kahn and Marshall, J. Oper. Res. Soc. Am. 1 (1953) 263).
+///
+/// A history traced at the density r has at r' the weight W = product over its arrivals at the pattern of r'/r where it
+/// met the microstructure and (1 - r')/(1 - r) where it did not; a deposit counts W times, as far as W goes before it,
+/// and by r'/r more if it was in proportion to the density, by (1 - r')/(1 - r) for each bare place of the face that it
+/// went through. Nothing else in a trace depends on the density, so that this is exact in expectation wherever
+/// 0 < r < 1. Where r is 0 or 1 the other outcome was never seen: the factor is then 1.
+class ArrivalRecords {
+ public:
+  /// The logs of batches traced at `density`, for a display with `bins` cells.
+  ArrivalRecords(const DensityField& density, std::size_t bins, int threads, std::vector<ArrivalLog> logs);
+
+  /// At the density `density`, on the same cells. Error for others.
+  Reweighted at(const DensityField& density) const;
+  /// d/de of the luminance at density exp(e direction), batch by batch (score function; Rubinstein and Shapiro 1993):
+  /// each deposit times the sum of direction over what met, less direction r/(1 - r) over what passed.
+  core::Tally derivative(const DensityField& density, const core::CellField& direction) const;
+
+  const DensityField& density() const { return density_; }
+  std::uint64_t photons() const { return photons_; }
+  std::size_t bytes() const;
+
+ private:
+  struct Factors;
+  Factors factors_to(const DensityField& density) const;
+
+  DensityField density_;
+  std::size_t bins_;
+  int threads_;
+  std::uint64_t photons_ = 0;
+  std::vector<std::uint64_t> batch_photons_;
+  std::vector<std::vector<std::uint32_t>> words_;  ///< of each batch
+};
+
+}  // namespace evenglow::tracer

@@ -1,0 +1,7 @@
+#include "tracer/transport/recording_history.h"
+
+namespace evenglow::tracer {
+
+template class BasicPlanarHistory<MeridianLight, RecordingObserver>;
+
+}  // namespace evenglow::tracer
