@@ -160,6 +160,7 @@ void NextEvent::join(const Meeting& meeting, std::size_t list, double brdf, std:
       }
       const int bin = cells.index_at(anchor.place + arrival.display);
       if (bin < 0) continue;
+      if (sums.log != nullptr) tell_crossings(pool.arrivals(), arrival, anchor.place, *sums.log);
       const double open = arrival.crossings > 0 ? open_share(pool.arrivals(), arrival, anchor.place) : 1.0;
       sums.add_luminance({static_cast<std::size_t>(bin), arrival.view.weight * open * power}, meeting.weight);
     }
