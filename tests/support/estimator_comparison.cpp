@@ -8,11 +8,11 @@ namespace evenglow::tests {
 
 EstimatorComparison compare_estimators(const std::string& backlight, const std::string& next_receiver,
                                        const std::string& count_receiver, const TraceSetup& next,
-                                       const TraceSetup& count) {
-  const auto text = [&](const char* estimator, const std::string& receiver) {
-    return backlight + ", receivers: [{kind: luminance, " + receiver + ", estimator: " + estimator + "}]";
+                                       const TraceSetup& count, const char* estimator) {
+  const auto text = [&](const char* by, const std::string& receiver) {
+    return backlight + ", receivers: [{kind: luminance, " + receiver + ", estimator: " + by + "}]";
   };
-  const Traced a(text("next_event", next_receiver), next);
+  const Traced a(text(estimator, next_receiver), next);
   const Traced b(text("counting", count_receiver), count);
   const core::Estimate La = a.mean_luminance(), Lb = b.mean_luminance();
   const double se = std::hypot(La.se, Lb.se);

@@ -15,9 +15,9 @@ struct EstimatorComparison {
   double se_mean = 0.0;  ///< relative standard error of the difference
 };
 
-/// `next_receiver`, `count_receiver`: keys of the luminance receiver besides the estimator.
+/// `next_receiver`, `count_receiver`: keys of the luminance receiver besides the estimator. `estimator`: of the first.
 EstimatorComparison compare_estimators(const std::string& backlight, const std::string& next_receiver,
                                        const std::string& count_receiver, const TraceSetup& next,
-                                       const TraceSetup& count);
+                                       const TraceSetup& count, const char* estimator = "next_event");
 
 }  // namespace evenglow::tests

@@ -61,6 +61,7 @@ struct LuminanceReceiverSpec {
   double azimuth = 0.0;                   ///< of the cone's axis from +x towards +y, rad
   std::optional<PupilSpec> pupil;         ///< then neither cone nor its axis counts
   LuminanceEstimator estimator = LuminanceEstimator::kNextEvent;
+  double least_lobe = 0.0;  ///< rad; what scatters over less is counted (`spreads_over`)
 };
 
 struct AngularReceiverSpec {

@@ -8,6 +8,7 @@
 #include <fmt/core.h>
 
 #include "core/base/units.h"
+#include "tracer/optics/lobe_width.h"
 #include "tracer/scene/cell_keys.h"
 
 namespace evenglow::tracer {
@@ -34,21 +35,36 @@ core::CellGrid active_area(const ConfigNode& node, const Box& area, std::pair<in
   return core::CellGrid::over(cells.first, cells.second, x0, y0, x1, y1);
 }
 
-/// Is there something that scatters light towards the viewer, on a level that paths from the viewer reach?
-bool next_event_works(const BacklightSpec& spec) {
+/// Is there something that scatters light towards the viewer over at least this angle (rad), on a level that paths from
+/// the viewer reach?
+bool next_event_works(const BacklightSpec& spec, double least_lobe) {
+  const auto scatters = [&](const Bsdf& surface) { return surface.scatters() && spreads_over(surface, least_lobe); };
   if (spec.reflectors[static_cast<std::size_t>(Side::kTop)]) return false;
   for (auto film = spec.films.rbegin(); film != spec.films.rend(); ++film) {
-    if (film->surface && film->surface->scatters()) return true;
+    if (film->surface && scatters(*film->surface)) return true;
     // Little gets through it unscattered, and what it scatters is counted.
     if (film->sheet && film->sheet->scattering) return false;
   }
   const bool level_bottom = !spec.plate || spec.plate->thickness == spec.plate->end_thickness;
   const auto& bottom = spec.reflectors[static_cast<std::size_t>(Side::kBottom)];
-  if (level_bottom && bottom && bottom->surface->scatters()) return true;
+  if (level_bottom && bottom && scatters(*bottom->surface)) return true;
   if (!spec.microstructure || (spec.microstructure->face == Side::kBottom && !level_bottom)) return false;
   constexpr double kAnyIndex = 1.5;
   const auto& optics = spec.microstructure->shape.optics;  // empty after a fault of its kind
   return optics && optics(kAnyIndex)->scatters();
+}
+
+constexpr double kLeastCounted = 0.5;  // degrees
+
+/// A scatter whose lobe is narrower than the viewing cone is seldom joined to the viewer, and then heavily: counting
+/// has the better figure of merit (docs/explain_estimator.md).
+void choose_estimator(BacklightSpec& spec, const std::string& estimator) {
+  LuminanceReceiverSpec& luminance = spec.luminance;
+  constexpr double kWidest = 60.0 * core::kRadPerDeg;
+  const bool countable = !luminance.pupil && luminance.cone >= kLeastCounted * core::kRadPerDeg;
+  luminance.least_lobe = estimator == "auto" && countable ? std::min(luminance.cone, kWidest) : 0.0;
+  const bool works = estimator != "counting" && next_event_works(spec, luminance.least_lobe);
+  luminance.estimator = works ? LuminanceEstimator::kNextEvent : LuminanceEstimator::kCounting;
 }
 
 void read_direction(const ConfigNode& node, BacklightSpec& spec) {
@@ -109,13 +125,12 @@ void read_luminance(const ConfigNode& node, BacklightSpec& spec) {
                    "counting, or what fits",
                    {"auto", "next_event", "counting"},
                    "auto"});
+  choose_estimator(spec, estimator);
   if (estimator == "next_event" && spec.luminance.estimator == LuminanceEstimator::kCounting) {
     node.fault_at("estimator",
                   "next_event needs something that scatters (a diffuser, a dbef with a table, printed dots, a white "
                   "bottom), and above it neither a sheet that scatters in its bulk nor a reflector at the top");
   }
-  if (estimator == "counting") spec.luminance.estimator = LuminanceEstimator::kCounting;
-  constexpr double kLeastCounted = 0.5;
   const double cone = spec.luminance.cone / core::kRadPerDeg;
   if (!spec.luminance.pupil && spec.luminance.estimator == LuminanceEstimator::kCounting && cone < kLeastCounted) {
     node.fault_at("cone_deg",
@@ -159,7 +174,7 @@ void default_luminance(BacklightSpec& spec) {
   const int ny = spec.microstructure ? spec.microstructure->ny : 48;
   spec.luminance.cells =
       core::CellGrid::over(nx, ny, spec.area.min.x(), spec.area.min.y(), spec.area.max.x(), spec.area.max.y());
-  spec.luminance.estimator = next_event_works(spec) ? LuminanceEstimator::kNextEvent : LuminanceEstimator::kCounting;
+  choose_estimator(spec, "auto");
 }
 
 }  // namespace

@@ -94,6 +94,7 @@ bool NextEvent::meet(Coverage& coverage, const Meeting& meeting, BatchSums& sums
   }
   if (!meeting.optics.scatters()) return false;
   const bool is_base = &meeting.optics == optics.base;
+  if (is_base && !levels_[level].joined) return false;
   if (is_base && !levels_[level].windowed && !levels_[level].primary && coverage.covered) return false;
   const double brdf = is_base ? optics.base_brdf : &meeting.optics == optics.pattern ? optics.pattern_brdf : -1.0;
   estimate(meeting, level, brdf, 1, sums);

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/units.h"
+#include "tracer/optics/lobe_width.h"
+
 namespace evenglow::tracer {
 namespace {
 
@@ -37,6 +40,7 @@ ViewerLevels::ViewerLevels(const Scene& scene) : of_quad_(scene.caster->quads().
   find(scene);
   cut_below_obstacles(scene);
   leave_room_for_sources(scene);
+  leave_narrow_lobes(scene);
   choose_primary(scene);
   for (std::size_t i = 0; i < levels_.size(); ++i)
     of_quad_[static_cast<std::size_t>(levels_[i].quad)] = static_cast<int>(i);
@@ -61,7 +65,8 @@ void ViewerLevels::find(const Scene& scene) {
     if (surface.body >= 0 && surface.normal.z() < 0.0) level.body_above = surface.body;
     level.patterned = surface.pattern != nullptr;
     level.windowed = !surface.windows.empty();
-    level.recorded = surface.optics->scatters() || (level.patterned && surface.pattern->scatters()) || level.windowed;
+    level.joined = surface.optics->scatters();
+    level.recorded = level.joined || (level.patterned && surface.pattern->scatters()) || level.windowed;
     levels_.push_back(level);
   }
   // Films without a gap lie at one height; they were made from below upwards.
@@ -76,6 +81,24 @@ void ViewerLevels::cut_below_obstacles(const Scene& scene) {
     const auto is_this = [&](const ViewerLevel& level) { return level.quad == static_cast<int>(i); };
     if (is_vertical(e) || std::any_of(levels_.begin(), levels_.end(), is_this)) continue;
     std::erase_if(levels_, [&](const ViewerLevel& level) { return level.z <= e.max.z(); });
+  }
+}
+
+/// What scatters over too little is not estimated, but left to what scatters farther up or to counting. With a film
+/// above that scatters over twice the angle it does not pay to estimate below it what is narrower than that.
+void ViewerLevels::leave_narrow_lobes(const Scene& scene) {
+  const double least = scene.spec.luminance.least_lobe;
+  if (least <= 0.0) return;
+  constexpr double kWidest = 75.0 * core::kRadPerDeg;
+  const double wide = std::min(2.0 * least, kWidest);
+  const auto& surfaces = scene.optics.front().surfaces;
+  bool wide_above = false;
+  for (auto level = levels_.rbegin(); level != levels_.rend(); ++level) {
+    const Surface& surface = surfaces[static_cast<std::size_t>(level->quad)];
+    if (!level->joined || level->patterned) continue;
+    level->joined = spreads_over(*surface.optics, wide_above ? wide : least);
+    if (!level->joined) level->recorded = level->windowed;
+    if (surface.body < 0 && level->joined) wide_above = wide_above || spreads_over(*surface.optics, wide);
   }
 }
 

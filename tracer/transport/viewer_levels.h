@@ -17,7 +17,8 @@ struct ViewerLevel {
   bool outer = false;      ///< its rectangle is that of the films, else that of the plate
   bool patterned = false;  ///< the density field rules a microstructure on it
   bool windowed = false;   ///< parts of it have optics of their own
-  bool recorded = false;   ///< light can be scattered here, so that arrivals of the viewer's subpaths are kept
+  bool joined = false;     ///< what its base scatters may be estimated: it has a lobe wide enough
+  bool recorded = false;   ///< light is estimated here, so that arrivals of the viewer's subpaths are kept
   bool primary = false;    ///< what it scatters is always estimated: subpaths go on by its specular part only
 
   bool holds(const core::Vec3& p) const { return p.x() >= min_x && p.x() <= max_x && p.y() >= min_y && p.y() <= max_y; }
@@ -37,6 +38,7 @@ class ViewerLevels {
 
  private:
   void find(const Scene& scene);
+  void leave_narrow_lobes(const Scene& scene);
   void cut_below_obstacles(const Scene& scene);
   void leave_room_for_sources(const Scene& scene);
   void choose_primary(const Scene& scene);

@@ -99,5 +99,28 @@ TEST(ReceiverKeys, NoneMeansTheThreeUsualKinds) {
   EXPECT_FALSE(backlight_of(lit("{kind: color}")).angular);
 }
 
+/// What scatters over less than the cone is counted, unless next-event is asked for or nothing else can be done.
+TEST(ReceiverKeys, EstimatorByLobeAndCone) {
+  const auto read = [](const std::string& film, const std::string& receiver) {
+    return backlight_of(
+               "size: {length_mm: 20, width_mm: 10}, sources: [{kind: lambertian_face, face: bottom}], films: [" +
+               film + "], receivers: [{kind: luminance, " + receiver + "}]")
+        .luminance;
+  };
+  const std::string narrow = "{kind: diffuser, fwhm_deg: 8}", wide = "{kind: diffuser, fwhm_deg: 40}";
+  EXPECT_EQ(read(narrow, "cone_deg: 10").estimator, LuminanceEstimator::kCounting);
+  EXPECT_EQ(read(narrow, "cone_deg: 5").estimator, LuminanceEstimator::kNextEvent);
+  EXPECT_EQ(read(wide, "cone_deg: 10").estimator, LuminanceEstimator::kNextEvent);
+  EXPECT_EQ(read(wide, "cone_deg: 50").estimator, LuminanceEstimator::kCounting);
+  EXPECT_EQ(read(wide, "cone_deg: 10, estimator: counting").estimator, LuminanceEstimator::kCounting);
+  EXPECT_EQ(read(narrow + ", " + wide, "cone_deg: 10").estimator, LuminanceEstimator::kNextEvent);
+  for (const char* asked :
+       {"cone_deg: 0", "cone_deg: 10, estimator: next_event", "pupil: {distance_mm: 500, diameter_mm: 5}"}) {
+    const LuminanceReceiverSpec spec = read(narrow, asked);
+    EXPECT_EQ(spec.estimator, LuminanceEstimator::kNextEvent) << asked;
+    EXPECT_EQ(spec.least_lobe, 0.0) << asked;
+  }
+}
+
 }  // namespace
 }  // namespace evenglow::tests

@@ -62,6 +62,30 @@ TEST(ViewerLevels, PrimaryIsWhatPays) {
   EXPECT_EQ(primaries(bottom), 1);
 }
 
+/// A lobe narrower than the cone is not estimated; beneath a lobe twice as wide as the cone, one narrower than that.
+TEST(ViewerLevels, LeaveNarrowLobes) {
+  const auto joined = [](const std::string& films, const std::string& receiver) {
+    const Scene scene = scene_of(kPlate + kLeds + ", reflectors: {bottom: {kind: mirror}}, films: [" + films +
+                                 "], receivers: [{kind: luminance, " + receiver + "}]");
+    const ViewerLevels levels(scene);
+    std::string found;
+    for (const ViewerLevel& level : levels.all()) {
+      if (level.z > 1.0) found += level.joined && level.recorded ? (level.primary ? 'p' : 'j') : '-';
+    }
+    return found;
+  };
+  const auto diffuser = [](int width) {
+    return "{kind: diffuser, gap_mm: 0.1, fwhm_deg: " + std::to_string(width) + "}";
+  };
+  EXPECT_EQ(joined(diffuser(8) + ", " + diffuser(20), "cone_deg: 10"), "-p");
+  EXPECT_EQ(joined(diffuser(20) + ", " + diffuser(8), "cone_deg: 10"), "p-");
+  EXPECT_EQ(joined(diffuser(15) + ", " + diffuser(60), "cone_deg: 10"), "-p");
+  EXPECT_EQ(joined(diffuser(15) + ", " + diffuser(15), "cone_deg: 10"), "pj");
+  EXPECT_EQ(joined(diffuser(60) + ", " + diffuser(15), "cone_deg: 10"), "pj");
+  EXPECT_EQ(joined(diffuser(8) + ", " + diffuser(20), "cone_deg: 0"), "pj");
+  EXPECT_EQ(joined(diffuser(8) + ", " + diffuser(20), "estimator: next_event"), "pj");
+}
+
 /// The tilted bottom of a wedge and all below it are no levels.
 TEST(ViewerLevels, EndAtAWedge) {
   const Scene scene = scene_of(
