@@ -16,6 +16,17 @@ constexpr int kEventsPerRenormalization = 8;
 /// Flights not longer than this (mm) end where they began.
 constexpr double kSamePoint = 1e-9;
 
+/// The outward normal of the box where the quad lies in its border, else zero.
+Vec3 outward_of(const Quad& quad, const Box& box) {
+  for (int side = 0; side < 6; ++side) {
+    const auto face = static_cast<Side>(side);
+    const int axis = axis_of(face);
+    const bool within = quad.u[axis] == 0.0 && quad.v[axis] == 0.0 && quad.corner[axis] == box.plane(face);
+    if (within) return outward(face);
+  }
+  return Vec3::Zero();
+}
+
 bool parallel(const Vec3& a, const Vec3& b) {
   return std::abs(a.dot(b)) > 1.0 - 1e-9;
 }
@@ -37,6 +48,7 @@ PhotonHistory::PhotonHistory(const Scene& scene, const DensityField& density)
   for (std::size_t quad = 0; quad < quads_.size(); ++quad) {
     const int body = quads_[quad].body;
     if (body >= 0) faces_[static_cast<std::size_t>(body)].push_back(static_cast<int>(quad));
+    outward_.push_back(outward_of(scene.caster->quads()[quad], scene.box));
   }
 }
 
@@ -79,7 +91,10 @@ PhotonHistory::Walk PhotonHistory::emit(core::PhotonRng& rng) const {
 bool PhotonHistory::can_meet(const Photon& photon, int quad) const {
   if (quad == photon.quad) return false;
   const int body = quads_[static_cast<std::size_t>(quad)].body;
-  if (photon.body < 0 && body < 0) return true;
+  // In an edge of the box rounding lets light meet the wall that it is just leaving from behind.
+  if (photon.body < 0 && body < 0) {
+    return outward_[static_cast<std::size_t>(quad)].dot(photon.light.frame.k) >= 0.0;
+  }
   const double slope = quads_[static_cast<std::size_t>(quad)].normal.dot(photon.light.frame.k);
   if (photon.body >= 0) return body == photon.body && slope > 0.0;
   const int left_body = photon.quad >= 0 ? quads_[static_cast<std::size_t>(photon.quad)].body : -1;
@@ -99,8 +114,10 @@ RayHit PhotonHistory::next_hit(const Walk& walk) const {
     return scene_.caster->exit_of(faces, photon.position, photon.light.frame.k, photon.quad);
   }
   const RayHit hit = scene_.caster->nearest(photon.position, photon.light.frame.k, photon.quad);
-  // Two quads that touch all over (a sheet's side and the wall) are no corner: light goes from one to the other.
+  // Two quads that touch all over (a sheet's side and the wall) are no corner: light goes from one to the other. Walls
+  // of the box need no such rule: whether light goes towards them or away is known.
   const bool back_into_corner = hit.quad >= 0 && hit.quad == walk.corner && hit.distance <= kSamePoint &&
+                                outward_[static_cast<std::size_t>(hit.quad)].isZero(0.0) &&
                                 !parallel(quads_[static_cast<std::size_t>(hit.quad)].normal,
                                           quads_[static_cast<std::size_t>(photon.quad)].normal);
   if (consistent(photon, hit) && !back_into_corner) return hit;

@@ -75,6 +75,7 @@ class PhotonHistory {
   const DensityField& density_;
   NextEvent next_event_;
   std::vector<std::vector<int>> faces_;  ///< of each body: its quads
+  std::vector<core::Vec3> outward_;  ///< of each quad: the normal out of the box where it lies in its border, else 0
 };
 
 }  // namespace evenglow::tracer

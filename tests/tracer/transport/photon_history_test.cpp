@@ -76,6 +76,45 @@ TEST(PhotonHistory, CornersOfMirrorsAreNoTraps) {
   }
 }
 
+/// Light on an edge of two walls, on its way into the box or towards the other wall: it never gets out between them.
+TEST(PhotonHistory, EdgesOfWallsAreTight) {
+  const std::string wall = "{kind: mirror, reflectance: 1, gap_mm: 0.1}";
+  const Scene scene = scene_of(
+      "size: {length_mm: 118.7, width_mm: 66}, reflectors: {bottom: {gap_mm: 0.05, reflectance: "
+      "1}, left: {}, right: {}, front: " +
+      wall + ", back: " + wall + "}, films: [{kind: diffuser}], sources: [{kind: lambertian_face, face: left}]");
+  const DensityField density = initial_density(scene.spec);
+  const PhotonHistory history(scene, density);
+  const auto on_border = [&](Side side) {
+    for (std::size_t i = 0; i < scene.caster->quads().size(); ++i) {
+      const Quad& quad = scene.caster->quads()[i];
+      const int axis = axis_of(side);
+      if (quad.u[axis] == 0.0 && quad.v[axis] == 0.0 && quad.corner[axis] == scene.box.plane(side)) {
+        return static_cast<int>(i);
+      }
+    }
+    return -1;
+  };
+  core::PhotonRng rng({1, 0, 0}, 0);
+  for (int i = 0; i < 20'000; ++i) {
+    const bool at_back = i % 2 == 0;  // left last: the back, going in or down; the bottom, going in or to the back
+    PhotonHistory::Walk walk = history.start(rng);
+    walk.photon.position = {1.0 + 116.0 * rng.uniform(), scene.box.max.y(), scene.box.min.z()};
+    const double y = rng.uniform() - (at_back ? 1.0 : 0.5), z = rng.uniform() - (at_back ? 0.5 : 0.0);
+    const core::Vec3 k = core::Vec3(2.0 * rng.uniform() - 1.0, y, z).normalized();
+    walk.photon.light = core::StokesVector::unpolarized(1.0, core::PolarizationFrame::any(k));
+    walk.photon.quad = on_border(at_back ? Side::kBack : Side::kBottom);
+    walk.corner = i % 4 < 2 ? -1 : on_border(at_back ? Side::kBottom : Side::kBack);
+    walk.photon.body = -1;
+    BatchSums sums(scene);
+    while (history.step(walk, rng, sums)) {
+    }
+    for (const Side side : {Side::kLeft, Side::kRight, Side::kFront, Side::kBack, Side::kBottom}) {
+      ASSERT_EQ(sums.energy[static_cast<std::size_t>(side)], 0.0) << i << ", " << k.transpose();
+    }
+  }
+}
+
 /// Beer-Lambert: a beam through 10 mm of an index next to 1.
 TEST(PhotonHistory, BulkAbsorption) {
   for (const double per_m : {0.0, 20.0, 200.0}) {
