@@ -8,6 +8,7 @@
 
 #include "app/output_directory.h"
 #include "design/report/writer_registry.h"
+#include "tracer/transport/planar_scene.h"
 
 namespace evenglow::app {
 namespace {
@@ -21,11 +22,27 @@ void check_version(const core::ConfigNode& root) {
                 fmt::format("must be 1, the version of the format that this program reads, got {}", version));
 }
 
+/// A path that the backlight does not allow is told before the first photon.
+void check_path(const ConfigDocument& document, const Run& run) {
+  if (run.trace.path != tracer::TracePath::kPlanar) return;
+  std::string reason;
+  const core::ConfigNode root = document.root();
+  tracer::BacklightSpec again = tracer::read_backlight(root.map("backlight", "the backlight"));  // it cannot be copied
+  if (tracer::PlanarScene::of(tracer::compile_scene(std::move(again)), &reason)) return;
+  root.map("trace", "how it is traced")
+      .fault_at("path",
+                fmt::format("planar is for parallel layers over a flat plate ({}); allowed here: auto, general, "
+                            "got planar",
+                            reason));
+  document.finish();
+}
+
 Run read(ConfigDocument& document, const std::vector<ConfigDocument::Override>& overrides, Purpose purpose) {
   for (const auto& change : overrides) document.apply(change);
   Run run = read_keys(document, purpose);
   for (const auto& change : overrides) run.overrides.push_back(change.path + "=" + change.yaml);
   document.finish();
+  check_path(document, run);
   return run;
 }
 

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <fstream>
 #include <iterator>
 
@@ -20,10 +21,33 @@ struct Cell {
   bool is_number = false;
 };
 
-std::string header(const std::vector<std::string>& names) {
+/// A column's heading; `hint` is shown under the pointer.
+struct Heading {
+  std::string text, hint;
+};
+
+/// The last word of a key where no other key of the table ends with it.
+std::string short_key(const std::string& key, const std::vector<std::string>& keys) {
+  const auto last = [](const std::string& path) { return path.substr(path.rfind('.') + 1); };
+  const auto ends_alike = [&](const std::string& other) { return last(other) == last(key); };
+  return std::count_if(keys.begin(), keys.end(), ends_alike) == 1 ? last(key) : key;
+}
+
+std::vector<Heading> headings(const std::vector<std::string>& keys) {
+  std::vector<Heading> all = {{"Run", ""}, {"Status", ""}};
+  for (const std::string& key : keys) all.push_back({short_key(key, keys), key});
+  for (const char* name : {"RMS non-uniformity, %", "Mean luminance, cd/m\u00b2", "Efficiency, %", "Uniformity 9",
+                           "Uniformity 13", "Photons", "CPU time", "Remark"}) {
+    all.push_back({name, ""});
+  }
+  return all;
+}
+
+std::string header(const std::vector<Heading>& columns) {
   std::string html = "<thead><tr><th>Luminance</th>";
-  for (const std::string& name : names) {
-    html += "<th aria-sort=\"none\"><button type=\"button\">" + html_escape(name) + "</button></th>";
+  for (const Heading& column : columns) {
+    html += fmt::format("<th aria-sort=\"none\"><button type=\"button\" title=\"{}\">{}</button></th>",
+                        html_escape(column.hint), html_escape(column.text));
   }
   return html + "</tr></thead>\n";
 }
@@ -97,6 +121,8 @@ main { max-width: none; }
 .batch th button { all: unset; cursor: pointer; font-weight: 600; }
 .batch th button:focus-visible { outline: 2px solid var(--accent); }
 .batch th[aria-sort=ascending] button::after { content: " \2191"; } .batch th[aria-sort=descending] button::after { content: " \2193"; }
+.batch td:nth-child(2) { overflow-wrap: anywhere; min-width: 18ch; }
+.batch td:last-child { min-width: 30ch; font-size: .8rem; }
 .batch img { display: block; width: 96px; image-rendering: pixelated; }
 .batch tr.failed td, .batch tr.wrong_input td { color: var(--s6); }
 .batch a { color: var(--accent); }
@@ -126,12 +152,6 @@ for (const head of document.querySelectorAll(".batch th button")) head.addEventL
 
 std::string batch_html(const BatchTable& table, const std::filesystem::path& directory) {
   const auto keys = changed_keys(table);
-  std::vector<std::string> names = {"Run", "Status"};
-  names.insert(names.end(), keys.begin(), keys.end());
-  for (const char* name : {"RMS non-uniformity, %", "Mean luminance, cd/m\u00b2", "Efficiency, %", "Uniformity 9",
-                           "Uniformity 13", "Photons", "CPU time", "Remark"}) {
-    names.emplace_back(name);
-  }
   std::size_t done = 0;
   for (const BatchRow& row : table.rows) done += row.status == BatchStatus::kDone ? 1 : 0;
   std::string body(kStyle);
@@ -139,7 +159,7 @@ std::string batch_html(const BatchTable& table, const std::filesystem::path& dir
           html_escape(fmt::format("{} of {} runs done \u00b7 Evenglow {}", done, table.rows.size(), table.version)) +
           "</p>\n<p class=\"def\">A click on a heading sorts the table. RMS non-uniformity: Monte Carlo noise taken "
           "off; \u00b1 one standard error. Each picture has its own scale, from zero to its greatest luminance.</p>\n";
-  body += "<div class=\"batch\"><table>" + header(names) + "<tbody>\n";
+  body += "<div class=\"batch\"><table>" + header(headings(keys)) + "<tbody>\n";
   for (const BatchRow& row : table.rows) body += row_html(row, keys, directory);
   body += "</tbody></table></div>\n<h2>How to repeat</h2>\n<pre>" + html_escape(table.command) + "</pre>\n";
   return html_page(table.title, body + std::string(kScript), PageData().json());

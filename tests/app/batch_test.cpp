@@ -91,6 +91,18 @@ TEST_F(Batch, WrongRunsAreToldAndPassed) {
   EXPECT_FALSE(std::filesystem::exists(folder_ / "out" / "broken"));
 }
 
+TEST_F(Batch, CheckReadsEachRun) {
+  write_text(folder_ / "tiny.yaml",
+             base_ + "sweep: {list: [{trace.seed: 2}, {\"backlight.films[0].haze\": 3}, "
+                     "{backlight.light_guide_plate.end_thickness_mm: 0.4, trace.path: planar}]}\n");
+  const ProgramResult result = run({"check", "tiny.yaml"});
+  EXPECT_EQ(result.code, 2);
+  EXPECT_THAT(result.out, HasSubstr("tiny.yaml: 1 of 3 runs of the sweep are good"));
+  EXPECT_THAT(result.out, HasSubstr("tiny.yaml (run p2_haze-3): wrong"));
+  EXPECT_THAT(result.err, HasSubstr("backlight.films[0].haze: must lie in [0, 1], got 3"));
+  EXPECT_THAT(result.err, HasSubstr("trace.path: planar is for parallel layers over a flat plate"));
+}
+
 TEST_F(Batch, WithNothingRightNothingIsWritten) {
   write_text(folder_ / "broken.yaml", "evenglow: 1\nbacklight: [\n");
   const ProgramResult result = run({"batch", "broken.yaml", "missing.yaml", "-o", "out"});

@@ -65,6 +65,14 @@ TEST(BatchTable, ItsPageEscapesWhatComesFromFiles) {
   EXPECT_THAT(page, HasSubstr("1 of 2 runs done"));
 }
 
+TEST(BatchTable, HeadingsAreTheLastWordOfAKeyWhereItIsUnique) {
+  BatchTable table = sample();
+  table.rows[0].changes = {{"films[0].haze", "0.8"}, {"films[1].haze", "0.9"}, {"trace.seed", "1"}};
+  const std::string page = batch_html(table, "/nowhere");
+  EXPECT_THAT(page, HasSubstr("title=\"trace.seed\">seed</button>"));
+  EXPECT_THAT(page, HasSubstr("title=\"films[0].haze\">films[0].haze</button>"));
+}
+
 TEST(BatchTable, NoTextBecomesMarkup) {
   const std::string attack = "\"><b onclick='alert(1)'>";
   BatchTable table = sample();
