@@ -6,8 +6,8 @@
 
 namespace evenglow::design {
 
-/// A whole page in one file: `title` is plain text, `body` is HTML, `data` is JSON that is safe in a <script> element.
-/// Its policy forbids every load from outside.
+/// A whole page in one file: `title` is plain text, `body` is HTML, `data` is JSON that is safe in a `<script>`
+/// element. Its policy forbids every load from outside.
 std::string html_page(std::string_view title, std::string_view body, std::string_view data);
 
 /// Parts one after another. They are made in the order in which they are named, which `a + b` would leave open: the

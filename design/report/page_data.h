@@ -30,7 +30,7 @@ class PageData {
   /// Curves with the place of their axes, as shares of the picture's width, for `data-curves`.
   std::string add_curves(const CurvePlot& plot, const PlotFrame& frame, double picture_width);
 
-  /// One JSON object, safe within a <script> element.
+  /// One JSON object, safe within a `<script>` element.
   std::string json() const;
 
  private:

@@ -12,8 +12,9 @@ std::string clean_utf8(std::string_view text);
 /// For the content and the quoted attributes of HTML and SVG: & < > " ' as character references, cleaned as above.
 std::string html_escape(std::string_view text);
 
-/// JSON for the content of a <script> element: every < and the line separators of old JavaScript become \u escapes, so
-/// that neither `</script>` nor `<!--` can stand in it. Changes nothing outside of JSON strings, where no < can occur.
+/// JSON for the content of a `<script>` element: every < and the line separators of old JavaScript become `\u` escapes,
+/// so that neither `</script>` nor `<!--` can stand in it. Changes nothing outside of JSON strings, where no < can
+/// occur.
 std::string script_safe(std::string_view json);
 
 /// A field of a CSV table (RFC 4180): quoted if it holds a comma, a quote or a line break.

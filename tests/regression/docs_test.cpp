@@ -36,6 +36,15 @@ TEST(DocsLong, AllPagesWork) {
   EXPECT_EQ(seen.code, 0) << seen.out << seen.err;
 }
 
+/// The comments of all headers fit their declarations.
+TEST(Docs, ReferenceOfTheInterfaceIsMade) {
+  const TempFolder folder;
+  const ProgramResult seen =
+      run_program({EVENGLOW_SOURCE_DIR "/scripts/make_api_reference", (folder.path() / "api").string()}, {}, 300.0);
+  EXPECT_EQ(seen.code, 0) << seen.out << seen.err;
+  EXPECT_TRUE(std::filesystem::exists(folder.path() / "api/html/index.html"));
+}
+
 /// The check itself must see faults.
 class DocsCheck : public ::testing::Test {
  protected:
