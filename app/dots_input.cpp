@@ -137,7 +137,7 @@ DotsInput read_designed(const fs::path& directory, const fs::path& run_file, con
   if (!run_file.empty() && core::sha256_hex(run.file_text) != origin.sha256)
     input.remarks.push_back(core::one_line(file.string()) + " is not, or no longer, the run file of this design");
   const fs::path density_file = directory / "density.csv";
-  const tracer::DensityMatrix density = tracer::read_density_file(density_file);
+  const core::NumberMatrix density = tracer::read_density_file(density_file);
   input.coverage = core::CellField(
       core::CellGrid::over(density.nx, density.ny, input.plate.x0, input.plate.y0, input.plate.x1, input.plate.y1),
       0.0);

@@ -12,8 +12,8 @@ namespace {
 using core::ConfigNode;
 using core::Range;
 
-constexpr MapRange kMaskRange = {0.0, 1.0, "1 (the cell counts) or 0"};
-constexpr MapRange kLimitRange = {0.0, 1.0, "a density in [0, 1]"};
+constexpr core::MatrixRange kMaskRange = {0.0, 1.0, "1 (the cell counts) or 0"};
+constexpr core::MatrixRange kLimitRange = {0.0, 1.0, "a density in [0, 1]"};
 
 void read_updater(const ConfigNode& node, DesignSpec& spec) {
   spec.updater = node.choice(

@@ -1,6 +1,9 @@
 #include "design/problem/target_keys.h"
 
 #include <algorithm>
+#include <utility>
+
+#include "tracer/scene/density_file.h"
 
 namespace evenglow::design {
 namespace {
@@ -8,8 +11,7 @@ namespace {
 using core::ConfigNode;
 using core::Range;
 
-constexpr MapRange kTargetRange = {0.0, 1e12, "a luminance of at least 0 (0: the cell does not count)"};
-constexpr MapRange kDensityRange = {0.0, 1.0, "a density in [0, 1]"};
+constexpr core::MatrixRange kTargetRange = {0.0, 1e12, "a luminance of at least 0 (0: the cell does not count)"};
 
 bool is_dark(const MapTable& map) {
   return std::all_of(map.values.begin(), map.values.end(), [](double value) { return value <= 0.0; });
@@ -18,10 +20,10 @@ bool is_dark(const MapTable& map) {
 MapTable read_target_map(const ConfigNode& node) {
   MapTable map =
       read_map_key(node, {"csv", "luminance over the display as a matrix, any unit", std::string()}, kTargetRange);
-  const auto picture =
-      node.file({"png", "luminance over the display as a picture, linear from black to white", std::string()});
+  const auto picture = node.file(
+      {"png", "luminance over the display as a picture (PNG or TIFF), linear from black to white", std::string()});
   if (!picture.empty()) {
-    if (auto read = node.guarded("png", [&] { return read_map_png(picture); })) map = std::move(*read);
+    if (auto read = node.guarded("png", [&] { return core::read_picture(picture); })) map = MapTable{std::move(*read)};
   }
   if (!map.empty() && is_dark(map)) node.fault("must be above 0 in at least one cell, got a dark map");
   return map;
@@ -29,11 +31,11 @@ MapTable read_target_map(const ConfigNode& node) {
 
 }  // namespace
 
-MapTable read_map_key(const ConfigNode& node, const core::TextKey& key, const MapRange& range) {
+MapTable read_map_key(const ConfigNode& node, const core::TextKey& key, const core::MatrixRange& range) {
   const auto path = node.file(key);
   if (path.empty()) return {};
-  auto table = node.guarded(key.key, [&] { return read_map_csv(path, range); });
-  return table ? std::move(*table) : MapTable{};
+  auto table = node.guarded(key.key, [&] { return core::read_matrix_csv(path, range); });
+  return table ? MapTable{std::move(*table)} : MapTable{};
 }
 
 TargetSpec read_target(const ConfigNode& design) {
@@ -68,12 +70,17 @@ StartSpec read_start(const ConfigNode& design) {
     return spec;
   }
   const ConfigNode node = design.map("start", "density to begin with");
-  spec.map = read_map_key(node, {"file", "density over the plate as a matrix", std::string()}, kDensityRange);
+  const auto file =
+      node.file({"file", "density over the plate: a matrix (CSV) or a picture (PNG, TIFF)", std::string()});
+  if (!file.empty()) {
+    if (auto read = node.guarded("file", [&] { return tracer::read_density_file(file); }))
+      spec.map = MapTable{std::move(*read)};
+  }
   const auto earlier =
       node.file_in({"result", "directory of an earlier result, also of other cells", std::string()}, "density.csv");
   if (!earlier.empty()) {
-    if (auto read = node.guarded("result", [&] { return read_map_csv(earlier, kDensityRange); }))
-      spec.map = std::move(*read);
+    if (auto read = node.guarded("result", [&] { return tracer::read_density_file(earlier); }))
+      spec.map = MapTable{std::move(*read)};
   }
   if (node.has("file") == node.has("result")) node.fault("must name file or result, one of them");
   if (!spec.map.empty()) spec.kind = "map";

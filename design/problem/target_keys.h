@@ -16,6 +16,6 @@ StartSpec read_start(const core::ConfigNode& design);
 GoalSpec read_goal(const core::ConfigNode& design);
 
 /// The CSV matrix that the key names; empty if it is absent or at fault.
-MapTable read_map_key(const core::ConfigNode& node, const core::TextKey& key, const MapRange& range);
+MapTable read_map_key(const core::ConfigNode& node, const core::TextKey& key, const core::MatrixRange& range);
 
 }  // namespace evenglow::design

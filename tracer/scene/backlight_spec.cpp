@@ -25,9 +25,10 @@ constexpr double kDefaultWidth = 66.0;
 
 /// The key `density_file`: the map takes the place of `density`, and its cells that of `cells`.
 void read_density_map(const ConfigNode& node, MicrostructureSpec& spec) {
-  const auto path =
-      node.file({"density_file", "density at the start as a map, in the form of density.csv; its cells replace `cells`",
-                 std::string()});
+  const auto path = node.file({"density_file",
+                               "density at the start as a map, in the form of density.csv or as a picture (PNG, TIFF; "
+                               "black 0, white 1); its cells replace `cells`",
+                               std::string()});
   if (path.empty()) return;
   const auto matrix = node.guarded("density_file", [&] { return read_density_file(path); });
   if (!matrix) return;

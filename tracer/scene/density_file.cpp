@@ -1,74 +1,21 @@
 #include "tracer/scene/density_file.h"
 
-#include <charconv>
-#include <string>
-#include <string_view>
-
 #include <fmt/core.h>
 
 #include "core/base/error.h"
-#include "core/config/text_file.h"
 
 namespace evenglow::tracer {
-namespace {
 
-constexpr std::size_t kMaxBytes = std::size_t{64} << 20;
-constexpr std::size_t kMaxCells = 1000000;
-
-struct Place {
-  std::string file;
-  int line = 0;
-};
-
-[[noreturn]] void refuse(const Place& place, std::size_t column, const std::string& message) {
-  throw core::ConfigError(core::Fault{place.file, place.line, static_cast<int>(column), "", message});
-}
-
-double read_value(std::string_view entry, const Place& place, std::size_t column) {
-  while (!entry.empty() && entry.front() == ' ') entry.remove_prefix(1);
-  while (!entry.empty() && (entry.back() == ' ' || entry.back() == '\r')) entry.remove_suffix(1);
-  double value = 0.0;
-  const auto [end, error] = std::from_chars(entry.data(), entry.data() + entry.size(), value);
-  if (error != std::errc() || end != entry.data() + entry.size() || !(value >= 0.0 && value <= 1.0)) {
-    refuse(place, column, fmt::format("must be a density in [0, 1], got \"{}\"", entry.substr(0, 40)));
+core::NumberMatrix read_density_file(const std::filesystem::path& file) {
+  if (!core::is_picture(file)) return core::read_matrix_csv(file, {0.0, 1.0, "a density in [0, 1]"});
+  constexpr std::size_t kMostCells = 1000000;
+  core::NumberMatrix picture = core::read_picture(file);
+  if (picture.values.size() > kMostCells) {
+    throw core::ConfigError(core::Fault{file.string(), 0, 0, "",
+                                        fmt::format("must not hold more than {} cells, got {} x {}", kMostCells,
+                                                    picture.nx, picture.ny)});
   }
-  return value;
-}
-
-void read_row(std::string_view line, const Place& place, DensityMatrix& matrix) {
-  int count = 0;
-  std::size_t begin = 0;
-  while (begin <= line.size()) {
-    const std::size_t comma = std::min(line.find(',', begin), line.size());
-    matrix.values.push_back(read_value(line.substr(begin, comma - begin), place, begin + 1));
-    if (matrix.values.size() > kMaxCells) refuse(place, 0, "must not hold more than 1000000 cells");
-    ++count;
-    begin = comma + 1;
-  }
-  if (matrix.ny == 0) matrix.nx = count;
-  if (count != matrix.nx)
-    refuse(place, 0, fmt::format("must have {} entries as the first row, got {}", matrix.nx, count));
-  ++matrix.ny;
-}
-
-}  // namespace
-
-DensityMatrix read_density_file(const std::filesystem::path& file) {
-  const std::string text = core::read_text_file(file, kMaxBytes);
-  core::require_text(text, file.string());
-  DensityMatrix matrix;
-  Place place{file.string(), 0};
-  std::size_t begin = 0;
-  while (begin < text.size()) {
-    const std::size_t end = std::min(text.find('\n', begin), text.size());
-    const std::string_view line = std::string_view(text).substr(begin, end - begin);
-    ++place.line;
-    if (!line.empty() && line.front() != '#' && line != "\r") read_row(line, place, matrix);
-    begin = end + 1;
-  }
-  if (matrix.ny == 0)
-    throw core::ConfigError(core::Fault{file.string(), 0, 0, "", "must hold a matrix of densities, got none"});
-  return matrix;
+  return picture;
 }
 
 }  // namespace evenglow::tracer

@@ -17,7 +17,7 @@ std::filesystem::path file_with(const std::string& text) {
 }
 
 TEST(DensityFile, ReadsRowsFromTheLowestY) {
-  const DensityMatrix matrix = read_density_file(file_with("# density\n0.1,0.2,0.3\n0.4, 0.5 ,1\n\n"));
+  const core::NumberMatrix matrix = read_density_file(file_with("# density\n0.1,0.2,0.3\n0.4, 0.5 ,1\n\n"));
   EXPECT_EQ(matrix.nx, 3);
   EXPECT_EQ(matrix.ny, 2);
   EXPECT_EQ(matrix.values, (std::vector<double>{0.1, 0.2, 0.3, 0.4, 0.5, 1.0}));
@@ -26,7 +26,7 @@ TEST(DensityFile, ReadsRowsFromTheLowestY) {
 TEST(DensityFile, NamesLineAndColumnOfAFault) {
   for (const auto& [text, expected] :
        std::vector<std::pair<std::string, std::string>>{{"0.1,0.2\n0.1\n", ":2: must have 2 entries"},
-                                                        {"0.1,x\n", ":1:5: must be a density in [0, 1], got \"x\""},
+                                                        {"0.1,x\n", ":1:5: must be a density in [0, 1], got x"},
                                                         {"# c\n0.1,1.5\n", ":2:5: must be a density"},
                                                         {"0.1,nan\n", "must be a density"},
                                                         {"0.1,-0.2\n", "must be a density"},

@@ -7,15 +7,15 @@
 #include <fmt/core.h>
 
 #include "core/base/error.h"
-#include "design/problem/map_table.h"
+#include "core/config/matrix_file.h"
 
-namespace evenglow::design {
+namespace evenglow::core {
 namespace {
 
 constexpr std::uint32_t kMostPixels = 4096;  // along each side
 
 [[noreturn]] void refuse(const std::filesystem::path& file, const std::string& message) {
-  throw core::ConfigError(core::Fault{file.string(), 0, 0, "", message});
+  throw ConfigError(Fault{file.string(), 0, 0, "", message});
 }
 
 /// Width and height stand at fixed places in the first chunk: a huge picture is refused before memory is spent on it.
@@ -42,7 +42,7 @@ struct SurfaceDeleter {
 
 }  // namespace
 
-MapTable read_map_png(const std::filesystem::path& file) {
+NumberMatrix read_png_picture(const std::filesystem::path& file) {
   check_size(file);
   const std::unique_ptr<cairo_surface_t, SurfaceDeleter> picture(cairo_image_surface_create_from_png(file.c_str()));
   if (cairo_surface_status(picture.get()) != CAIRO_STATUS_SUCCESS) {
@@ -52,19 +52,19 @@ MapTable read_map_png(const std::filesystem::path& file) {
   const cairo_format_t format = cairo_image_surface_get_format(picture.get());
   if (format != CAIRO_FORMAT_ARGB32 && format != CAIRO_FORMAT_RGB24)
     refuse(file, "must be a PNG picture of 8 bits a color");
-  MapTable table;
-  table.nx = cairo_image_surface_get_width(picture.get());
-  table.ny = cairo_image_surface_get_height(picture.get());
+  NumberMatrix matrix;
+  matrix.nx = cairo_image_surface_get_width(picture.get());
+  matrix.ny = cairo_image_surface_get_height(picture.get());
   const unsigned char* data = cairo_image_surface_get_data(picture.get());
   const int stride = cairo_image_surface_get_stride(picture.get());
-  for (int iy = table.ny - 1; iy >= 0; --iy) {
+  for (int iy = matrix.ny - 1; iy >= 0; --iy) {
     const auto* row = reinterpret_cast<const std::uint32_t*>(data + static_cast<std::ptrdiff_t>(iy) * stride);
-    for (int ix = 0; ix < table.nx; ++ix) {
+    for (int ix = 0; ix < matrix.nx; ++ix) {
       const std::uint32_t pixel = row[ix];
-      table.values.push_back(((pixel >> 16 & 0xFFU) + (pixel >> 8 & 0xFFU) + (pixel & 0xFFU)) / 765.0);
+      matrix.values.push_back(((pixel >> 16 & 0xFFU) + (pixel >> 8 & 0xFFU) + (pixel & 0xFFU)) / 765.0);
     }
   }
-  return table;
+  return matrix;
 }
 
-}  // namespace evenglow::design
+}  // namespace evenglow::core
