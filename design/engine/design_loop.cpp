@@ -21,6 +21,7 @@ constexpr double kNoneYet = 1e9;       // worse than any RMS
 constexpr double kRoughlyRight = 0.3;  // RMS below which the level is chosen
 constexpr double kStallGain = 0.05;
 constexpr double kWantedError = 0.15;                     // of the RMS, over the RMS to reach
+constexpr double kWantedNoise = 0.5;                      // in a density, over the RMS to reach
 constexpr double kLevelStep = 1.25;                       // largest factor of a correction of the level
 constexpr const char* kRecordedSteps = "recorded_steps";  // in the memory: step, photons and density of each
 constexpr std::size_t kMostRecordBytes = std::size_t{512} << 20;
@@ -47,13 +48,17 @@ bool stalled(const std::vector<StepRecord>& steps, const DesignLimits& limits, i
   return std::min_element(recent, steps.end(), less)->rms_corrected.value > (1.0 - kStallGain) * before;
 }
 
-/// `solves`: the next density is as even as the noise of this trace lets it be, however uneven this one was.
-std::uint64_t next_photons(const StepRecord& record, const DesignSpec& spec, const DesignLimits& limits, bool solves) {
-  const double wanted = solves ? spec.stop_rms : std::max(record.rms_corrected.value, spec.stop_rms);
-  const bool noisy = record.noise > wanted;
-  const bool unsure = record.rms_corrected.se > kWantedError * wanted;
-  const double growth = noisy || unsure ? spec.photon_growth : 1.0;
-  return std::min(limits.largest_photons, static_cast<std::uint64_t>(static_cast<double>(record.photons) * growth));
+/// Does the next step need more photons than this one, to see what it shows?
+bool wants_photons(const StepRecord& record, const DesignSpec& spec) {
+  const double wanted = std::max(record.rms_corrected.value, spec.stop_rms);
+  return record.noise > wanted || record.rms_corrected.se > kWantedError * wanted;
+}
+
+/// The same of an updater that tells how much noise of the traces its density holds: it solves the design up to that,
+/// however uneven this step was. The error of the RMS at `stop_rms` follows from the noise of a cell (merit.h).
+bool wants_photons(const StepRecord& record, const DesignSpec& spec, double noise_left, double cells) {
+  const double error = record.noise * record.noise * std::sqrt(2.0 / cells) / (2.0 * spec.stop_rms);
+  return noise_left > kWantedNoise * spec.stop_rms || error > kWantedError * spec.stop_rms;
 }
 
 /// One design: the loop of `run_design`, a step at a time.
@@ -82,16 +87,16 @@ class Loop {
     record.held_low = proposal.clipped_low;
     record.held_high = proposal.clipped_high;
     progress_.steps.push_back(record);
-    if (!proposal.note.empty()) progress_.notes.push_back(fmt::format("Step {}: {}", record.step, proposal.note));
     keep_best(record, state->density);
-    tell_limits(proposal);
-    if (!settle_level(record, proposal)) {
+    if (!settle_level(*state, proposal)) {
       progress_ = std::move(before);
       return false;
     }
+    if (!proposal.note.empty()) progress_.notes.push_back(fmt::format("Step {}: {}", record.step, proposal.note));
+    tell_limits(proposal);
     progress_.stop_reason = stop_reason(proposal);
+    progress_.photons = next_photons(progress_.steps.back(), proposal);
     progress_.density = std::move(proposal.density);
-    progress_.photons = next_photons(record, spec_, limits_, records_wanted());
     observer(progress_.steps.back(), progress_);
     return true;
   }
@@ -155,6 +160,14 @@ class Loop {
     return true;
   }
 
+  std::uint64_t next_photons(const StepRecord& record, const Proposal& proposal) const {
+    const auto cells = static_cast<double>(progress_.start_luminance.values.size());
+    const bool more = proposal.noise_left ? wants_photons(record, spec_, *proposal.noise_left, cells)
+                                          : wants_photons(record, spec_);
+    const double photons = static_cast<double>(record.photons) * (more ? spec_.photon_growth : 1.0);
+    return std::min(limits_.largest_photons, static_cast<std::uint64_t>(photons));
+  }
+
   void keep_best(const StepRecord& record, const tracer::DensityField& density) {
     const bool trusted = record.rms_corrected.se <= 0.5 * std::max(record.rms_corrected.value, spec_.stop_rms);
     const double value = record.rms_corrected.value;
@@ -186,13 +199,14 @@ class Loop {
   }
 
   /// Chooses the level once the shape is roughly right, and keeps the wanted efficiency later on. False: interrupted.
-  bool settle_level(const StepRecord& record, Proposal& proposal) {
+  bool settle_level(const DesignState& state, Proposal& proposal) {
+    const StepRecord& record = state.record;
     if (spec_.level || !(record.luminance_mean > 0.0)) return true;
     if (!progress_.level_note.empty()) {
       keep_efficiency(record, proposal);
       return true;
     }
-    if (record.rms_corrected.value >= kRoughlyRight) return true;
+    if (std::min(record.rms_corrected.value, proposal.foreseen_rms.value_or(kNoneYet)) >= kRoughlyRight) return true;
     const auto choice = choose_level(model_, proposal.density, spec_,
                                      std::min(limits_.first_photons, limits_.largest_photons), limits_.largest_photons);
     if (!choice) return false;
@@ -202,10 +216,23 @@ class Loop {
     told.level_photons = choice->photons;
     told.cpu_s += choice->cpu_s;
     told.wall_s += choice->wall_s;
-    scale_level(choice->factor, proposal);
+    take_level(choice->factor, state, proposal);
     // A new level begins a new hunt for the best step.
     if (choice->factor != 1.0) progress_.best_rms = kNoneYet;
     return true;
+  }
+
+  /// The shape changes with the level. Histories tell how, as far as they know densities of that level.
+  void take_level(double factor, const DesignState& state, Proposal& proposal) {
+    if (state.recorded.empty() || factor == 1.0) {
+      scale_level(factor, proposal);
+      return;
+    }
+    DesignSpec there = spec_;
+    there.level = std::clamp(factor * proposal.density.cells.mean(), spec_.density_min, spec_.density_max);
+    const double cpu = core::process_cpu_seconds();
+    proposal = updater_->propose(state, there, progress_.memory);
+    progress_.steps.back().cpu_s += core::process_cpu_seconds() - cpu;
   }
 
   void keep_efficiency(const StepRecord& record, Proposal& proposal) const {
