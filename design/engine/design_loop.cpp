@@ -162,8 +162,8 @@ class Loop {
 
   std::uint64_t next_photons(const StepRecord& record, const Proposal& proposal) const {
     const auto cells = static_cast<double>(progress_.start_luminance.values.size());
-    const bool more = proposal.noise_left ? wants_photons(record, spec_, *proposal.noise_left, cells)
-                                          : wants_photons(record, spec_);
+    const bool more =
+        proposal.noise_left ? wants_photons(record, spec_, *proposal.noise_left, cells) : wants_photons(record, spec_);
     const double photons = static_cast<double>(record.photons) * (more ? spec_.photon_growth : 1.0);
     return std::min(limits_.largest_photons, static_cast<std::uint64_t>(photons));
   }

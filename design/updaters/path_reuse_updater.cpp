@@ -16,7 +16,7 @@ namespace {
 
 constexpr int kInnerSteps = 12;
 constexpr double kLeastShare = 0.25;
-constexpr double kNoiseShare = 0.1;  // steps below this share of their noise are none
+constexpr double kNoiseShare = 0.2;  // steps below this share of their noise are none
 
 double mean_square(const core::CellField& field) {
   double sum = 0.0;
@@ -50,7 +50,7 @@ Proposal reuse_paths(const DesignState& state, const DesignSpec& spec) {
     const double noise = std::sqrt(excess.noise_square());
     const core::CellField residual = ratio_step(view.state, spec, excess.field);
     const bool small = mean_square(residual) < kNoiseShare * kNoiseShare * excess.noise_square();
-    const bool lost_in_noise = steps > 0 && (view.state.record.rms_corrected.value <= 0.0 || small);
+    const bool lost_in_noise = steps > 0 && small;
     if (lost_in_noise) {
       end = "what is left is noise";
       break;
@@ -70,7 +70,8 @@ Proposal reuse_paths(const DesignState& state, const DesignSpec& spec) {
   proposal.foreseen_rms = std::max(foreseen, 0.0);
   proposal.method = "path_reuse";
   proposal.note = fmt::format(
-      "path_reuse: {} inner steps on the histories of {} traces ({:.0f} % effective), RMS {:.2f} % there, {:.2f} % noise in the step; {}.",
+      "path_reuse: {} inner steps on the histories of {} traces ({:.0f} % effective), RMS {:.2f} % there, {:.2f} % "
+      "noise in the step; {}.",
       steps, state.recorded.size(), 100.0 * share, 100.0 * foreseen, 100.0 * proposal.noise_left.value_or(0.0), end);
   return proposal;
 }

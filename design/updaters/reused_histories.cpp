@@ -30,14 +30,13 @@ core::Tally rest_of(const RecordedTrace& trace) {
   return rest;
 }
 
-/// Photons at the density in question that the trace is worth, from the variance of R(d) - R(d0) + L. With weights W of
-/// mean 1 that is E[(W - 1)^2] = 1/share - 1 for a recorded photon and 1 for a traced one.
-double worth_of(const RecordedTrace& trace, const tracer::Reweighted& moved) {
-  const double recorded = static_cast<double>(moved.photons), all = static_cast<double>(trace.photons);
-  return 1.0 / ((1.0 / std::max(moved.effective_share, 1e-12) - 1.0) / recorded + 1.0 / std::max(all, recorded));
-}
-
 }  // namespace
+
+double worth_of(const RecordedTrace& trace, double effective_share) {
+  const double recorded = static_cast<double>(trace.records->photons());
+  const double all = std::max(static_cast<double>(trace.photons), recorded);
+  return 1.0 / ((1.0 / std::max(effective_share, 1e-12) - 1.0) / recorded + 1.0 / all);
+}
 
 ReusedHistories::ReusedHistories(const DesignState& state, const DesignSpec& spec)
     : state_(state), target_(spec, state.observation.map.luminance.grid), traces_(state.recorded) {
@@ -55,7 +54,7 @@ ReusedView ReusedHistories::at(const tracer::DensityField& density) const {
     const double share = moved.effective_share;
     if (share < kWorthless && !newest) continue;
     const double per_photon = 1.0 / static_cast<double>(moved.photons);
-    const double weight = worth_of(traces_[k], moved);
+    const double weight = worth_of(traces_[k], share);
     for (std::size_t b = 0; b < batches; ++b) {
       for (std::size_t i = 0; i < bins; ++i) {
         double value = moved.luminance.batch(b)[i] * per_photon;

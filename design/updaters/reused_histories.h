@@ -10,6 +10,11 @@
 
 namespace evenglow::design {
 
+/// Photons that the trace is worth at a density where its records have this effective share: from the variance of
+/// L + R(d) - R(d0) below. With weights W of mean 1 that is E[(W - 1)^2] = 1/share - 1 for a recorded photon, 1 for a
+/// traced one.
+double worth_of(const RecordedTrace& trace, double effective_share);
+
 /// What recorded histories say of a density that was not traced.
 struct ReusedView {
   DesignState state;             ///< its luminance over the target, as `Updater::propose` sees it
