@@ -8,6 +8,7 @@
 
 #include "core/montecarlo/batches.h"
 #include "design/engine/level_search.h"
+#include "design/engine/photon_plan.h"
 #include "design/problem/density_limits.h"
 #include "design/problem/merit.h"
 #include "design/problem/target.h"
@@ -20,8 +21,6 @@ constexpr double kSettledLevel = 0.05;
 constexpr double kNoneYet = 1e9;       // worse than any RMS
 constexpr double kRoughlyRight = 0.3;  // RMS below which the level is chosen
 constexpr double kStallGain = 0.05;
-constexpr double kWantedError = 0.15;                     // of the RMS, over the RMS to reach
-constexpr double kWantedNoise = 0.5;                      // in a density, over the RMS to reach
 constexpr double kLevelStep = 1.25;                       // largest factor of a correction of the level
 constexpr const char* kRecordedSteps = "recorded_steps";  // in the memory: step, photons and density of each
 constexpr std::size_t kMostRecordBytes = std::size_t{512} << 20;
@@ -40,25 +39,14 @@ bool level_rests(const DesignProgress& progress, const DesignSpec& spec, const P
 bool stalled(const std::vector<StepRecord>& steps, const DesignLimits& limits, int patience) {
   if (static_cast<int>(steps.size()) < patience + 2) return false;
   const auto recent = steps.end() - patience;
-  if ((recent - 1)->photons < limits.largest_photons) return false;
+  // More photons would help where noise may hide what is left.
+  const StepRecord& first = *(recent - 1);
+  if (first.photons < limits.largest_photons && first.rms_corrected.value < first.noise) return false;
   const auto less = [](const StepRecord& a, const StepRecord& b) {
     return a.rms_corrected.value < b.rms_corrected.value;
   };
   const double before = std::min_element(steps.begin(), recent, less)->rms_corrected.value;
   return std::min_element(recent, steps.end(), less)->rms_corrected.value > (1.0 - kStallGain) * before;
-}
-
-/// Does the next step need more photons than this one, to see what it shows?
-bool wants_photons(const StepRecord& record, const DesignSpec& spec) {
-  const double wanted = std::max(record.rms_corrected.value, spec.stop_rms);
-  return record.noise > wanted || record.rms_corrected.se > kWantedError * wanted;
-}
-
-/// The same of an updater that tells how much noise of the traces its density holds: it solves the design up to that,
-/// however uneven this step was. The error of the RMS at `stop_rms` follows from the noise of a cell (merit.h).
-bool wants_photons(const StepRecord& record, const DesignSpec& spec, double noise_left, double cells) {
-  const double error = record.noise * record.noise * std::sqrt(2.0 / cells) / (2.0 * spec.stop_rms);
-  return noise_left > kWantedNoise * spec.stop_rms || error > kWantedError * spec.stop_rms;
 }
 
 /// One design: the loop of `run_design`, a step at a time.
@@ -95,7 +83,8 @@ class Loop {
     if (!proposal.note.empty()) progress_.notes.push_back(fmt::format("Step {}: {}", record.step, proposal.note));
     tell_limits(proposal);
     progress_.stop_reason = stop_reason(proposal);
-    progress_.photons = next_photons(progress_.steps.back(), proposal);
+    progress_.photons =
+        next_photons(progress_.steps, foresight_of(proposal), progress_.start_luminance.values.size(), spec_, limits_);
     progress_.density = std::move(proposal.density);
     observer(progress_.steps.back(), progress_);
     return true;
@@ -160,12 +149,10 @@ class Loop {
     return true;
   }
 
-  std::uint64_t next_photons(const StepRecord& record, const Proposal& proposal) const {
-    const auto cells = static_cast<double>(progress_.start_luminance.values.size());
-    const bool more =
-        proposal.noise_left ? wants_photons(record, spec_, *proposal.noise_left, cells) : wants_photons(record, spec_);
-    const double photons = static_cast<double>(record.photons) * (more ? spec_.photon_growth : 1.0);
-    return std::min(limits_.largest_photons, static_cast<std::uint64_t>(photons));
+  std::optional<Foresight> foresight_of(const Proposal& proposal) const {
+    if (!proposal.noise_left) return std::nullopt;
+    const double reachable = proposal.solved ? proposal.foreseen_rms.value_or(0.0) : 0.0;
+    return Foresight{*proposal.noise_left, std::max(spec_.stop_rms, reachable)};
   }
 
   void keep_best(const StepRecord& record, const tracer::DensityField& density) {

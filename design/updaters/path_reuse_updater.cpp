@@ -53,6 +53,7 @@ Proposal reuse_paths(const DesignState& state, const DesignSpec& spec) {
     const bool lost_in_noise = steps > 0 && small;
     if (lost_in_noise) {
       end = "what is left is noise";
+      proposal.solved = true;
       break;
     }
     proposal = take_step(view.state, spec, anderson_step(residual, 0.0, view.state, spec, true, memory));

@@ -19,6 +19,7 @@ struct Proposal {
   int clipped_low = 0;                   ///< cells that the lower limit holds up
   int clipped_high = 0;                  ///< cells that the upper limit holds down
   std::optional<double> foreseen_rms{};  ///< RMS that the updater expects of it, noise taken off; none: it cannot tell
+  bool solved = false;                   ///< the traces so far tell of no better density than this
   std::optional<double> noise_left{};    ///< RMS of the traces' noise that went into it; none: not known
   std::string method;                    ///< of an updater that chooses among several: the one it took
   std::string note;                      ///< for the log, where the updater has changed its mind; else empty
