@@ -23,16 +23,32 @@ const std::vector<double> kThresholds = {0.05, 0.02, 0.01, 0.005};
 constexpr const char* kSmallCase = "configs/studies/bench_design.yaml";
 constexpr const char* kFullCases[] = {"configs/phone_dbef.yaml", "configs/phone_lpp.yaml", "configs/tablet_dbef.yaml"};
 
+/// Behind the name of an updater: luminance by counting photons, as other programs do.
+constexpr const char* kCounting = "/counting";
+/// More photons of counting, for it learns less from each.
+constexpr std::uint64_t kCountingPhotons = 32;
+
+bool is_counting(const std::string& name) {
+  return name.ends_with(kCounting);
+}
+
+std::string updater_of(const std::string& name) {
+  return is_counting(name) ? name.substr(0, name.size() - std::string(kCounting).size()) : name;
+}
+
 std::vector<std::string> updater_names(const std::vector<std::string>& wanted) {
   std::vector<std::string> known;
   for (const auto& entry : design::updater_registry()) known.push_back(entry.name);
   for (const std::string& name : wanted) {
-    if (std::find(known.begin(), known.end(), name) == known.end()) {
-      throw core::ConfigError(
-          core::Fault{"--updaters", 0, 0, "", fmt::format("must be among {}, got {}", fmt::join(known, ", "), name)});
+    if (std::find(known.begin(), known.end(), updater_of(name)) == known.end()) {
+      throw core::ConfigError(core::Fault{"--updaters", 0, 0, "",
+                                          fmt::format("must be among {}, each also with {} behind it, got {}",
+                                                      fmt::join(known, ", "), kCounting, name)});
     }
   }
-  return wanted.empty() ? known : wanted;
+  if (!wanted.empty()) return wanted;
+  known.push_back(std::string("ratio") + kCounting);
+  return known;
 }
 
 /// The level is fixed, that of the start: all updaters solve one problem. Searches get as many steps as they need.
@@ -49,6 +65,7 @@ design::DesignSpec bench_spec(const design::DesignSpec& given, const std::string
 struct BenchSettings {
   std::vector<std::string> updaters;
   int seeds;
+  double cpu_s;
   const Session& session;
   Progress& progress;
 };
@@ -61,16 +78,24 @@ std::optional<BenchCase> run_case(const std::filesystem::path& file, const Optio
   const tracer::DensityField start = design::first_density(run.backlight, run.design);
   const design::DesignLimits limits = design_limits(run);
   BenchCase bench{file.stem().string(), run.title, run.backlight.luminance.cells.size(), {}};
+  tracer::BacklightSpec counted = run.backlight;
+  counted.luminance.estimator = tracer::LuminanceEstimator::kCounting;
   const tracer::Scene scene = tracer::compile_scene(std::move(run.backlight));
+  const tracer::Scene counting = tracer::compile_scene(std::move(counted));
   const std::uint64_t first_seed = run.trace.seed;
   for (const std::string& updater : settings.updaters) {
     for (int i = 0; i < settings.seeds; ++i) {
       run.trace.seed = first_seed + static_cast<std::uint64_t>(i);
       settings.progress.begin(fmt::format("{}: {}, seed {}", bench.name, updater, run.trace.seed));
-      const design::ForwardModel model = make_model(scene, run, context);
-      auto trial = run_trial(model, bench_spec(run.design, updater, start.cells.mean()), limits, start, kThresholds);
+      const design::ForwardModel model = make_model(is_counting(updater) ? counting : scene, run, context);
+      const design::ForwardModel judge = make_model(scene, run, context);
+      design::TrialLimits trial_limits{limits, settings.cpu_s, limits.largest_photons, &judge};
+      if (is_counting(updater)) trial_limits.largest_photons *= kCountingPhotons;
+      const design::DesignSpec spec = bench_spec(run.design, updater_of(updater), start.cells.mean());
+      auto trial = run_trial(model, spec, trial_limits, start, kThresholds);
       if (!trial) return std::nullopt;
       trial->seed = run.trace.seed;
+      trial->updater = updater;
       settings.progress.line(fmt::format("{}: {}, seed {}: {} steps, {:.3g} CPU s, RMS {:.2f} +- {:.2f} %", bench.name,
                                          updater, run.trace.seed, trial->steps.size(), trial->cpu_s.back(),
                                          100.0 * trial->judged.rms_corrected.value,
@@ -93,7 +118,14 @@ void BenchDesignCommand::add_to(CLI::App& program) {
   command->add_option("--seeds", seeds_, "designs with each updater, each with a seed of its own (default 5)")
       ->check(CLI::Range(1, 1000).description(""))
       ->type_name("N");
-  command->add_option("--updaters", updaters_, "updaters, parted by commas (default: all)")
+  command
+      ->add_option("--cpu", cpu_s_, "CPU seconds after which a design begins no other trace (default 600; 0: no limit)")
+      ->check(CLI::Range(0.0, 1e9).description(""))
+      ->type_name("SECONDS");
+  command
+      ->add_option("--updaters", updaters_,
+                   "updaters, parted by commas; with /counting behind it: on counted photons (default: all, and "
+                   "ratio/counting)")
       ->delimiter(',')
       ->type_name("NAMES");
   command->add_flag("--full", full_, "the shipped phone and tablet files in full size instead of the small case");
@@ -113,7 +145,7 @@ void BenchDesignCommand::add_to(CLI::App& program) {
 
 int BenchDesignCommand::run(const Session& session) {
   const BenchFacts facts{repeating_command("bench-design", options_) + fmt::format(" --seeds {}", seeds_) +
-                             (full_ ? " --full" : "") +
+                             (full_ ? " --full" : "") + fmt::format(" --cpu {:g}", cpu_s_) +
                              (updaters_.empty() ? "" : fmt::format(" --updaters {}", fmt::join(updaters_, ","))),
                          kThresholds, updater_names(updaters_)};
   std::vector<std::filesystem::path> files = options_.files;
@@ -127,7 +159,7 @@ int BenchDesignCommand::run(const Session& session) {
   Progress progress(options_.quiet, options_.json_progress);
   std::vector<BenchCase> cases;
   for (const auto& file : files) {
-    auto bench = run_case(file, options_, {facts.updaters, seeds_, session, progress});
+    auto bench = run_case(file, options_, {facts.updaters, seeds_, cpu_s_, session, progress});
     if (!bench) {
       progress.line("interrupted: nothing was written");
       return kInterrupted;

@@ -30,6 +30,7 @@ class BenchDesignCommand {
   bool chosen_ = false;
   bool full_ = false;
   int seeds_ = 5;
+  double cpu_s_ = 600.0;
   std::vector<std::string> updaters_;
   Options options_;
 };

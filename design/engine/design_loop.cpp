@@ -8,6 +8,7 @@
 
 #include "core/montecarlo/batches.h"
 #include "design/engine/level_search.h"
+#include "design/engine/photon_plan.h"
 #include "design/problem/density_limits.h"
 #include "design/problem/merit.h"
 #include "design/problem/target.h"
@@ -20,7 +21,6 @@ constexpr double kSettledLevel = 0.05;
 constexpr double kNoneYet = 1e9;       // worse than any RMS
 constexpr double kRoughlyRight = 0.3;  // RMS below which the level is chosen
 constexpr double kStallGain = 0.05;
-constexpr double kWantedError = 0.15;                     // of the RMS, over the RMS to reach
 constexpr double kLevelStep = 1.25;                       // largest factor of a correction of the level
 constexpr const char* kRecordedSteps = "recorded_steps";  // in the memory: step, photons and density of each
 constexpr std::size_t kMostRecordBytes = std::size_t{512} << 20;
@@ -39,21 +39,14 @@ bool level_rests(const DesignProgress& progress, const DesignSpec& spec, const P
 bool stalled(const std::vector<StepRecord>& steps, const DesignLimits& limits, int patience) {
   if (static_cast<int>(steps.size()) < patience + 2) return false;
   const auto recent = steps.end() - patience;
-  if ((recent - 1)->photons < limits.largest_photons) return false;
+  // More photons would help where noise may hide what is left.
+  const StepRecord& first = *(recent - 1);
+  if (first.photons < limits.largest_photons && first.rms_corrected.value < first.noise) return false;
   const auto less = [](const StepRecord& a, const StepRecord& b) {
     return a.rms_corrected.value < b.rms_corrected.value;
   };
   const double before = std::min_element(steps.begin(), recent, less)->rms_corrected.value;
   return std::min_element(recent, steps.end(), less)->rms_corrected.value > (1.0 - kStallGain) * before;
-}
-
-/// `solves`: the next density is as even as the noise of this trace lets it be, however uneven this one was.
-std::uint64_t next_photons(const StepRecord& record, const DesignSpec& spec, const DesignLimits& limits, bool solves) {
-  const double wanted = solves ? spec.stop_rms : std::max(record.rms_corrected.value, spec.stop_rms);
-  const bool noisy = record.noise > wanted;
-  const bool unsure = record.rms_corrected.se > kWantedError * wanted;
-  const double growth = noisy || unsure ? spec.photon_growth : 1.0;
-  return std::min(limits.largest_photons, static_cast<std::uint64_t>(static_cast<double>(record.photons) * growth));
 }
 
 /// One design: the loop of `run_design`, a step at a time.
@@ -82,16 +75,17 @@ class Loop {
     record.held_low = proposal.clipped_low;
     record.held_high = proposal.clipped_high;
     progress_.steps.push_back(record);
-    if (!proposal.note.empty()) progress_.notes.push_back(fmt::format("Step {}: {}", record.step, proposal.note));
     keep_best(record, state->density);
-    tell_limits(proposal);
-    if (!settle_level(record, proposal)) {
+    if (!settle_level(*state, proposal)) {
       progress_ = std::move(before);
       return false;
     }
+    if (!proposal.note.empty()) progress_.notes.push_back(fmt::format("Step {}: {}", record.step, proposal.note));
+    tell_limits(proposal);
     progress_.stop_reason = stop_reason(proposal);
+    progress_.photons =
+        next_photons(progress_.steps, foresight_of(proposal), progress_.start_luminance.values.size(), spec_, limits_);
     progress_.density = std::move(proposal.density);
-    progress_.photons = next_photons(record, spec_, limits_, records_wanted());
     observer(progress_.steps.back(), progress_);
     return true;
   }
@@ -155,6 +149,12 @@ class Loop {
     return true;
   }
 
+  std::optional<Foresight> foresight_of(const Proposal& proposal) const {
+    if (!proposal.noise_left) return std::nullopt;
+    const double reachable = proposal.solved ? proposal.foreseen_rms.value_or(0.0) : 0.0;
+    return Foresight{*proposal.noise_left, std::max(spec_.stop_rms, reachable)};
+  }
+
   void keep_best(const StepRecord& record, const tracer::DensityField& density) {
     const bool trusted = record.rms_corrected.se <= 0.5 * std::max(record.rms_corrected.value, spec_.stop_rms);
     const double value = record.rms_corrected.value;
@@ -186,13 +186,14 @@ class Loop {
   }
 
   /// Chooses the level once the shape is roughly right, and keeps the wanted efficiency later on. False: interrupted.
-  bool settle_level(const StepRecord& record, Proposal& proposal) {
+  bool settle_level(const DesignState& state, Proposal& proposal) {
+    const StepRecord& record = state.record;
     if (spec_.level || !(record.luminance_mean > 0.0)) return true;
     if (!progress_.level_note.empty()) {
       keep_efficiency(record, proposal);
       return true;
     }
-    if (record.rms_corrected.value >= kRoughlyRight) return true;
+    if (std::min(record.rms_corrected.value, proposal.foreseen_rms.value_or(kNoneYet)) >= kRoughlyRight) return true;
     const auto choice = choose_level(model_, proposal.density, spec_,
                                      std::min(limits_.first_photons, limits_.largest_photons), limits_.largest_photons);
     if (!choice) return false;
@@ -202,10 +203,23 @@ class Loop {
     told.level_photons = choice->photons;
     told.cpu_s += choice->cpu_s;
     told.wall_s += choice->wall_s;
-    scale_level(choice->factor, proposal);
+    take_level(choice->factor, state, proposal);
     // A new level begins a new hunt for the best step.
     if (choice->factor != 1.0) progress_.best_rms = kNoneYet;
     return true;
+  }
+
+  /// The shape changes with the level. Histories tell how, as far as they know densities of that level.
+  void take_level(double factor, const DesignState& state, Proposal& proposal) {
+    if (state.recorded.empty() || factor == 1.0) {
+      scale_level(factor, proposal);
+      return;
+    }
+    DesignSpec there = spec_;
+    there.level = std::clamp(factor * proposal.density.cells.mean(), spec_.density_min, spec_.density_max);
+    const double cpu = core::process_cpu_seconds();
+    proposal = updater_->propose(state, there, progress_.memory);
+    progress_.steps.back().cpu_s += core::process_cpu_seconds() - cpu;
   }
 
   void keep_efficiency(const StepRecord& record, Proposal& proposal) const {

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "design/engine/photon_plan.h"
 #include "design/problem/design_spec.h"
 #include "design/problem/design_state.h"
 #include "design/problem/judgment.h"
@@ -32,11 +33,6 @@ struct DesignProgress {
 /// Told of each finished step, with what it would take to go on from there.
 using StepObserver = std::function<void(const StepRecord&, const DesignProgress&)>;
 
-struct DesignLimits {
-  std::uint64_t first_photons = 0;
-  std::uint64_t largest_photons = 0;
-};
-
 /// Where a design begins.
 DesignProgress start_design(tracer::DensityField density, const DesignSpec& spec, const DesignLimits& limits);
 
@@ -45,9 +41,12 @@ DesignProgress start_design(tracer::DensityField density, const DesignSpec& spec
 ///
 /// One stopping rule for all updaters. The design ends when the noise-corrected RMS of luminance over target is below
 /// `stop_rms` plus its standard error, that error is at most half of `stop_rms`, and the level rests; when the steps of
-/// the updater's patience (4; more for searches) at the largest number of photons brought no gain of 5 %; or after
-/// `max_steps`. Once the shape is roughly right (noise-corrected RMS below 30 %) the level is chosen (level_search.h),
-/// unless the spec fixes it.
+/// the updater's patience (4; more for searches) brought no gain of 5 % at the largest number of photons, or with
+/// less noise in a cell than RMS; or after
+/// `max_steps`. Once the shape is roughly right (noise-corrected RMS below 30 %, seen, or foreseen by the updater of
+/// its next density) the level is chosen (level_search.h), unless the spec fixes it; histories then tell how the shape
+/// changes with it.
+/// The photons of the next step: photon_plan.h.
 DesignProgress run_design(const ForwardModel& model, const DesignSpec& spec, const DesignLimits& limits,
                           DesignProgress progress, const StepObserver& observer);
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include <fmt/core.h>
+
 #include "core/montecarlo/batches.h"
 #include "design/engine/traced_model.h"
 
@@ -20,9 +22,25 @@ Spread spread_of(std::vector<double> values) {
   return {0.5 * (values[(n - 1) / 2] + values[n / 2]), values.front(), values.back()};
 }
 
+/// The model, up to a CPU time of the process; `spent` tells that it said no.
+ForwardModel within_budget(const ForwardModel& model, double until, bool bounded, bool& spent) {
+  if (!bounded) return model;
+  const auto limited = [&spent, until](const auto& trace) {
+    return [&spent, &trace, until](const tracer::DensityField& density, std::uint64_t photons,
+                                   std::uint32_t step) -> std::optional<Observation> {
+      spent = core::process_cpu_seconds() > until;
+      if (spent) return std::nullopt;
+      return trace(density, photons, step);
+    };
+  };
+  ForwardModel result = limited(model);
+  if (model.recording) result.recording = limited(model.recording);
+  return result;
+}
+
 }  // namespace
 
-std::optional<MethodTrial> run_trial(const ForwardModel& model, const DesignSpec& spec, const DesignLimits& limits,
+std::optional<MethodTrial> run_trial(const ForwardModel& model, const DesignSpec& spec, const TrialLimits& limits,
                                      const tracer::DensityField& start, const std::vector<double>& thresholds) {
   MethodTrial trial;
   trial.updater = spec.updater;
@@ -37,9 +55,14 @@ std::optional<MethodTrial> run_trial(const ForwardModel& model, const DesignSpec
       if (shown && !trial.efforts[i]) trial.efforts[i] = Effort{record.step, photons, trial.cpu_s.back()};
     }
   };
-  DesignProgress progress = run_design(model, spec, limits, start_design(start, spec, limits), observer);
-  if (progress.stop_reason.empty()) return std::nullopt;
-  const auto judging = model(progress.best_density, limits.largest_photons, kJudgingStep);
+  bool spent = false;
+  const ForwardModel bounded = within_budget(model, begin + limits.cpu_s, limits.cpu_s > 0.0, spent);
+  DesignProgress progress = run_design(bounded, spec, limits, start_design(start, spec, limits), observer);
+  if (spent) progress.stop_reason = fmt::format("budget: {:g} CPU seconds were spent", limits.cpu_s);
+  if (progress.stop_reason.empty() || progress.steps.empty()) return std::nullopt;
+  const ForwardModel& judge = limits.judging_model != nullptr ? *limits.judging_model : model;
+  const std::uint64_t last = limits.judging_photons > 0 ? limits.judging_photons : limits.largest_photons;
+  const auto judging = judge(progress.best_density, last, kJudgingStep);
   if (!judging) return std::nullopt;
   trial.judged = make_judgment(*judging, spec);
   trial.steps = std::move(progress.steps);

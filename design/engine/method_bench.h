@@ -28,8 +28,15 @@ struct MethodTrial {
   FinalJudgment judged;  ///< of the best density
 };
 
+/// What a trial may take.
+struct TrialLimits : DesignLimits {
+  double cpu_s = 0.0;                           ///< no trace begins after so many CPU seconds; 0: no limit
+  std::uint64_t judging_photons = 0;            ///< 0: the largest of a step
+  const ForwardModel* judging_model = nullptr;  ///< null: that of the design
+};
+
 /// One design with the updater of the spec. Empty: interrupted.
-std::optional<MethodTrial> run_trial(const ForwardModel& model, const DesignSpec& spec, const DesignLimits& limits,
+std::optional<MethodTrial> run_trial(const ForwardModel& model, const DesignSpec& spec, const TrialLimits& limits,
                                      const tracer::DensityField& start, const std::vector<double>& thresholds);
 
 /// The efforts of an updater at a threshold over the seeds; medians of those that reached it.

@@ -18,7 +18,7 @@ struct TracedModelOptions {
   int threads = 0;
   std::stop_token stop{};
   tracer::TracePath path = tracer::TracePath::kAuto;
-  std::size_t record_bytes = std::size_t{256} << 20;  ///< for the histories of a trace, where they are asked for
+  std::size_t record_bytes = std::size_t{128} << 20;  ///< for the histories of a trace, where they are asked for
   /// Photons done of those of this trace.
   std::function<void(std::uint64_t done, std::uint64_t all)> progress{};
 };

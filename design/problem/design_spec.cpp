@@ -15,30 +15,41 @@ using core::Range;
 constexpr core::MatrixRange kMaskRange = {0.0, 1.0, "1 (the cell counts) or 0"};
 constexpr core::MatrixRange kLimitRange = {0.0, 1.0, "a density in [0, 1]"};
 
+void read_count_pair(const ConfigNode& node, const char* key, const char* help, double most, int& x, int& y) {
+  const auto counts =
+      node.numbers({key, help, Range::closed(1, most), 2, 2, {{static_cast<double>(x), static_cast<double>(y)}}, true});
+  if (counts.size() != 2) return;
+  x = static_cast<int>(counts[0]);
+  y = static_cast<int>(counts[1]);
+}
+
+void read_spline(const ConfigNode& node, SplineSpec& spec) {
+  read_count_pair(node, "coefficients", "coefficients of the profile along x and y", 12, spec.nx, spec.ny);
+  if (spec.nx * spec.ny < 2) node.fault_at("coefficients", "must be at least two in all, got one");
+  spec.method = node.choice({"method", "search of NLopt", {"bobyqa", "cobyla", "sbplx"}, std::string(spec.method)});
+}
+
 void read_updater(const ConfigNode& node, DesignSpec& spec) {
-  spec.updater = node.choice(
-      {"updater",
-       "how the next density is proposed",
-       {"auto", "ratio_noise_aware", "path_reuse", "anderson", "ratio", "stochastic_approximation", "spline"},
-       std::string(spec.updater)});
+  spec.updater = node.choice({"updater",
+                              "how the next density is proposed",
+                              {"auto", "ratio_noise_aware", "path_reuse", "anderson", "coarse_newton", "gradient",
+                               "ratio", "stochastic_approximation", "spline"},
+                              std::string(spec.updater)});
   spec.power = node.number({"power", "exponent of target over luminance", {0, 2, true, false}, spec.power});
   spec.anderson_vectors = static_cast<int>(node.integer(
       {"anderson_vectors", "earlier steps that the acceleration may combine", 1, 8, spec.anderson_vectors}));
-  const ConfigNode spline = node.map("spline", "profile and search of the updater spline");
-  const auto cells = spline.numbers({"coefficients",
-                                     "coefficients of the profile along x and y",
-                                     Range::closed(1, 12),
-                                     2,
-                                     2,
-                                     {{static_cast<double>(spec.spline.nx), static_cast<double>(spec.spline.ny)}},
-                                     true});
-  if (cells.size() == 2) {
-    spec.spline.nx = static_cast<int>(cells[0]);
-    spec.spline.ny = static_cast<int>(cells[1]);
-  }
-  if (spec.spline.nx * spec.spline.ny < 2) spline.fault_at("coefficients", "must be at least two in all, got one");
-  spec.spline.method =
-      spline.choice({"method", "search of NLopt", {"bobyqa", "cobyla", "sbplx"}, std::string(spec.spline.method)});
+  read_spline(node.map("spline", "profile and search of the updater spline"), spec.spline);
+  const ConfigNode newton = node.map("coarse_newton", "grid of the updater coarse_newton");
+  read_count_pair(newton, "cells", "nodes of the coarse grid along x and y", 64, spec.coarse_newton.nx,
+                  spec.coarse_newton.ny);
+  if (spec.coarse_newton.nx * spec.coarse_newton.ny > 1024)
+    newton.fault_at("cells",
+                    fmt::format("must be at most 1024 in all, got {}", spec.coarse_newton.nx * spec.coarse_newton.ny));
+  const ConfigNode gradient = node.map("gradient", "search of the updater gradient");
+  spec.gradient.method =
+      gradient.choice({"method", "search of NLopt", {"lbfgs", "mma"}, std::string(spec.gradient.method)});
+  spec.gradient.evaluations = static_cast<int>(gradient.integer(
+      {"evaluations", "values and gradients on the histories of a trace", 2, 1000, spec.gradient.evaluations}));
 }
 
 void read_limits(const ConfigNode& node, DesignSpec& spec) {

@@ -37,6 +37,18 @@ struct SplineSpec {
   std::string method = "bobyqa";  ///< bobyqa, cobyla, sbplx
 };
 
+/// The updater `coarse_newton`.
+struct CoarseNewtonSpec {
+  int nx = 16;  ///< nodes along x
+  int ny = 8;
+};
+
+/// The updater `gradient`.
+struct GradientSpec {
+  std::string method = "lbfgs";  ///< lbfgs, mma
+  int evaluations = 20;          ///< of value and gradient, on the histories of a trace
+};
+
 /// The map `design` of the run file.
 struct DesignSpec {
   TargetSpec target;
@@ -47,6 +59,8 @@ struct DesignSpec {
   double power = 1.0;        ///< exponent of the ratio updates
   int anderson_vectors = 3;  ///< differences that the acceleration may combine
   SplineSpec spline;
+  CoarseNewtonSpec coarse_newton;
+  GradientSpec gradient;
   double stop_rms = 0.01;  ///< noise-corrected RMS non-uniformity to reach
   int max_steps = 20;
   double density_min = 0.01;  ///< limits of the density of every cell

@@ -18,7 +18,7 @@ constexpr double kSlow = 0.35;     // of the RMS in a step
 constexpr double kExplains = 4.0;  // times the noise of the step before, in squares
 constexpr double kLinear = 0.3;    // RMS below which slowness speaks of coupling, not of a far start
 constexpr int kTrials = 2;
-constexpr double kRecorded = 0.1;  // of the photons
+constexpr double kRecorded = 0.01;  // of the photons
 
 constexpr const char* kState = "auto";
 /// Entries of kState: squared RMS of the last step, noise in its update, accelerating (0, 1), times given up.
@@ -53,7 +53,7 @@ std::string choose(const StepRecord& record, std::vector<double>& state) {
       contraction);
 }
 
-/// Do the histories of the step fit the memory, or a good part of them?
+/// Do the histories of the step fit the memory, or as many as tell small changes of the density (reused_histories.h)?
 bool enough_records(const DesignState& state) {
   if (state.recorded.empty()) return false;
   const RecordedTrace& newest = state.recorded.back();

@@ -18,9 +18,13 @@ using core::CellField;
 constexpr double kScales[] = {0.0, 0.7, 1.4, 2.8, 5.6, 11.2};
 constexpr int kBands = static_cast<int>(std::size(kScales));
 constexpr double kLambda = 2.0;
-// Windows of the local energies, in units of a band's scale: wide enough that noise alone hardly ever passes lambda.
-constexpr double kSignalWindow = 4.0;
-constexpr double kNoiseWindow = 8.0;
+/// A window of the local energies, in units of a band's scale along x and y.
+struct Window {
+  double x, y;
+};
+// Each wide enough that noise alone hardly ever passes lambda; the long ones find what follows an edge with LEDs.
+constexpr Window kSignalWindows[] = {{2.0, 2.0}, {0.7, 8.0}, {8.0, 0.7}};
+constexpr double kNoiseShare = 2.0;  // the noise is measured in windows so many times as wide
 constexpr double kLocalScale = 1.5;  // cells, of the local mean luminance
 constexpr double kFloor = 0.05;      // least luminance of a cell over its local mean
 
@@ -51,19 +55,20 @@ double scale_of(int band) {
   return kScales[std::min(band + 1, kBands - 1)];
 }
 
-/// Adds the share of the band (i, j) that stands out of its noise, and the noise that goes with it.
-void add_significant(const CellField& band, const CellField& noise_band, int i, int j, Denoised& result) {
-  const auto energy_of = [&](const CellField& field, double window) {
-    return blur(squared(field), window * scale_of(i), window * scale_of(j));
-  };
-  const CellField energy = energy_of(band, kSignalWindow);
-  const CellField noise = energy_of(noise_band, kNoiseWindow);
-  for (std::size_t k = 0; k < band.values.size(); ++k) {
-    if (energy.values[k] <= 0.0) continue;
-    const double share = std::max(0.0, 1.0 - kLambda * noise.values[k] / energy.values[k]);
-    result.field.values[k] += share * band.values[k];
-    result.noise.values[k] += share * noise_band.values[k];
+/// The share of each cell of the band (i, j) that stands out of its noise, the most that a window shows.
+CellField significant_share(const CellField& band, const CellField& noise_band, int i, int j) {
+  CellField share(band.grid, 0.0);
+  const CellField signal_squares = squared(band), noise_squares = squared(noise_band);
+  for (const Window& window : kSignalWindows) {
+    const double sx = window.x * scale_of(i), sy = window.y * scale_of(j);
+    const CellField energy = blur(signal_squares, sx, sy);
+    const CellField noise = blur(noise_squares, kNoiseShare * sx, kNoiseShare * sy);
+    for (std::size_t k = 0; k < share.values.size(); ++k) {
+      if (energy.values[k] <= 0.0) continue;
+      share.values[k] = std::max(share.values[k], 1.0 - kLambda * noise.values[k] / energy.values[k]);
+    }
   }
+  return share;
 }
 
 /// Half the difference of the maps of even and odd batches (equal numbers of each), over the local mean of a map of
@@ -111,7 +116,11 @@ Denoised denoise(const CellField& field, const CellField& noise) {
           result.noise.values[k] += noise_band.values[k];
         }
       } else {
-        add_significant(band, noise_band, i, j, result);
+        const CellField share = significant_share(band, noise_band, i, j);
+        for (std::size_t k = 0; k < band.values.size(); ++k) {
+          result.field.values[k] += share.values[k] * band.values[k];
+          result.noise.values[k] += share.values[k] * noise_band.values[k];
+        }
       }
     }
   }

@@ -1,5 +1,6 @@
 #include "design/updaters/path_reuse_updater.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -15,7 +16,7 @@ namespace {
 
 constexpr int kInnerSteps = 12;
 constexpr double kLeastShare = 0.25;
-constexpr double kNoiseShare = 0.1;  // steps below this share of their noise are none
+constexpr double kNoiseShare = 0.2;  // steps below this share of their noise are none
 
 double mean_square(const core::CellField& field) {
   double sum = 0.0;
@@ -41,20 +42,24 @@ Proposal reuse_paths(const DesignState& state, const DesignSpec& spec) {
   UpdaterMemory memory;  // of the inner steps; all see the same noise, so that differences of steps hold none
   ReusedView view = histories.at(state.density);
   Proposal proposal;
-  double share = view.effective_share;
+  double share = view.effective_share, foreseen = view.state.record.rms_corrected.value;
   int steps = 0;
   const char* end = "12 inner steps";
   for (; steps < kInnerSteps; ++steps) {
     const Denoised excess = noise_aware_excess(view.state);
+    const double noise = std::sqrt(excess.noise_square());
     const core::CellField residual = ratio_step(view.state, spec, excess.field);
     const bool small = mean_square(residual) < kNoiseShare * kNoiseShare * excess.noise_square();
-    const bool lost_in_noise = steps > 0 && (view.state.record.rms_corrected.value <= 0.0 || small);
+    const bool lost_in_noise = steps > 0 && small;
     if (lost_in_noise) {
       end = "what is left is noise";
+      proposal.solved = true;
       break;
     }
     proposal = take_step(view.state, spec, anderson_step(residual, 0.0, view.state, spec, true, memory));
+    proposal.noise_left = noise;
     view = histories.at(proposal.density);
+    foreseen = view.state.record.rms_corrected.value;
     if (view.effective_share < kLeastShare) {
       ++steps;
       end = "the histories are worth no more there";
@@ -63,10 +68,12 @@ Proposal reuse_paths(const DesignState& state, const DesignSpec& spec) {
     share = view.effective_share;
   }
   proposal.level_change = proposal.density.cells.mean() / state.density.cells.mean();
+  proposal.foreseen_rms = std::max(foreseen, 0.0);
   proposal.method = "path_reuse";
   proposal.note = fmt::format(
-      "path_reuse: {} inner steps on the histories of {} traces ({:.0f} % effective), RMS {:.2f} % there; {}.", steps,
-      state.recorded.size(), 100.0 * share, 100.0 * view.state.record.rms_corrected.value, end);
+      "path_reuse: {} inner steps on the histories of {} traces ({:.0f} % effective), RMS {:.2f} % there, {:.2f} % "
+      "noise in the step; {}.",
+      steps, state.recorded.size(), 100.0 * share, 100.0 * foreseen, 100.0 * proposal.noise_left.value_or(0.0), end);
   return proposal;
 }
 

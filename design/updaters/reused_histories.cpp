@@ -1,5 +1,6 @@
 #include "design/updaters/reused_histories.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "core/base/error.h"
@@ -31,6 +32,12 @@ core::Tally rest_of(const RecordedTrace& trace) {
 
 }  // namespace
 
+double worth_of(const RecordedTrace& trace, double effective_share) {
+  const double recorded = static_cast<double>(trace.records->photons());
+  const double all = std::max(static_cast<double>(trace.photons), recorded);
+  return 1.0 / ((1.0 / std::max(effective_share, 1e-12) - 1.0) / recorded + 1.0 / all);
+}
+
 ReusedHistories::ReusedHistories(const DesignState& state, const DesignSpec& spec)
     : state_(state), target_(spec, state.observation.map.luminance.grid), traces_(state.recorded) {
   if (traces_.empty()) throw core::Error("no histories are recorded");
@@ -40,32 +47,31 @@ ReusedHistories::ReusedHistories(const DesignState& state, const DesignSpec& spe
 ReusedView ReusedHistories::at(const tracer::DensityField& density) const {
   const std::size_t batches = traces_.back().luminance.batches(), bins = traces_.back().luminance.bins();
   std::vector<std::vector<double>> sums(batches, std::vector<double>(bins, 0.0));
-  double weights = 0.0, worth = 0.0;
+  double worth = 0.0;
   for (std::size_t k = 0; k < traces_.size(); ++k) {
     const bool newest = k + 1 == traces_.size();
     const tracer::Reweighted moved = traces_[k].records->at(density);
     const double share = moved.effective_share;
     if (share < kWorthless && !newest) continue;
     const double per_photon = 1.0 / static_cast<double>(moved.photons);
-    const double weight = share / per_photon;
+    const double weight = worth_of(traces_[k], share);
     for (std::size_t b = 0; b < batches; ++b) {
       for (std::size_t i = 0; i < bins; ++i) {
         double value = moved.luminance.batch(b)[i] * per_photon;
-        if (rest_[k].bins() > 0) value += share * rest_[k].batch(b)[i];
+        if (rest_[k].bins() > 0) value += rest_[k].batch(b)[i];
         sums[b][i] += weight * value;
       }
     }
-    weights += weight;
     worth += weight;
   }
   const double photons = static_cast<double>(traces_.back().photons);
   const double unit = state_.observation.luminance_unit;
-  ReusedView view{{density, {}, {}}, worth / static_cast<double>(traces_.back().records->photons())};
+  ReusedView view{{density, {}, {}}, worth / photons};
   Observation& seen = view.state.observation;
   seen.photons = static_cast<std::uint64_t>(worth);
   seen.luminance = core::Tally(bins);
   for (auto& batch : sums) {
-    for (double& value : batch) value *= photons / weights;
+    for (double& value : batch) value *= photons / worth;
     seen.luminance.add_batch(std::move(batch));
   }
   seen.luminance_unit = unit;

@@ -2,6 +2,7 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,12 +14,15 @@ namespace evenglow::design {
 
 /// What an updater proposes.
 struct Proposal {
-  tracer::DensityField density;  ///< within the limits of the spec
-  double level_change = 1.0;     ///< factor of the mean density that was chosen for the level
-  int clipped_low = 0;           ///< cells that the lower limit holds up
-  int clipped_high = 0;          ///< cells that the upper limit holds down
-  std::string method;            ///< of an updater that chooses among several: the one it took
-  std::string note;              ///< for the log, where the updater has changed its mind; else empty
+  tracer::DensityField density;          ///< within the limits of the spec
+  double level_change = 1.0;             ///< factor of the mean density that was chosen for the level
+  int clipped_low = 0;                   ///< cells that the lower limit holds up
+  int clipped_high = 0;                  ///< cells that the upper limit holds down
+  std::optional<double> foreseen_rms{};  ///< RMS that the updater expects of it, noise taken off; none: it cannot tell
+  bool solved = false;                   ///< the traces so far tell of no better density than this
+  std::optional<double> noise_left{};    ///< RMS of the traces' noise that went into it; none: not known
+  std::string method;                    ///< of an updater that chooses among several: the one it took
+  std::string note;                      ///< for the log, where the updater has changed its mind; else empty
 };
 
 /// What an updater keeps from step to step: named lists of numbers. It belongs to the progress of the design and is

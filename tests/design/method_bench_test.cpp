@@ -16,7 +16,7 @@ TEST(MethodBench, CountsUntilATraceShowsTheThreshold) {
   spec.density_min = 1e-4;
   spec.level = 0.1;
   const auto trial =
-      run_trial(model, spec, {100000, 16000000}, {core::CellField(backlight.grid, 0.1)}, {0.5, 0.05, 0.01, 1e-5});
+      run_trial(model, spec, {{100000, 16000000}}, {core::CellField(backlight.grid, 0.1)}, {0.5, 0.05, 0.01, 1e-5});
   ASSERT_TRUE(trial);
   ASSERT_TRUE(trial->efforts[0] && trial->efforts[1] && trial->efforts[2]);
   EXPECT_FALSE(trial->efforts[3]);
@@ -32,6 +32,36 @@ TEST(MethodBench, CountsUntilATraceShowsTheThreshold) {
     }
   }
   EXPECT_NEAR(trial->judged.rms_corrected.value, 0.005, 0.003);
+}
+
+/// The ratio on a noisy backlight never reaches the threshold; the budget ends it, and what it made is judged by
+/// another model.
+TEST(MethodBench, EndsAtItsBudget) {
+  tests::CoupledBacklight backlight;
+  const ForwardModel good = backlight;
+  backlight.noise = 0.2;
+  const ForwardModel noisy = backlight;
+  DesignSpec spec;
+  spec.updater = "ratio";
+  spec.stop_rms = 1e-6;
+  spec.density_min = 1e-4;
+  spec.level = 0.1;
+  spec.max_steps = 1000;
+  TrialLimits limits{{100000, 1000000}};
+  limits.cpu_s = 1e-9;
+  limits.judging_photons = 16000000;
+  limits.judging_model = &good;
+  EXPECT_FALSE(run_trial(noisy, spec, limits, {core::CellField(backlight.grid, 0.1)}, {0.5})) << "not even a start";
+  limits.cpu_s = 0.2;
+  const auto trial = run_trial(noisy, spec, limits, {core::CellField(backlight.grid, 0.1)}, {1e-5});
+  ASSERT_TRUE(trial);
+  EXPECT_EQ(trial->stop_reason, "budget: 0.2 CPU seconds were spent");
+  EXPECT_EQ(trial->judged.photons, 16000000U);
+  EXPECT_LT(trial->judged.rms_corrected.se, 1e-3);
+  limits.cpu_s = 0.0;
+  EXPECT_EQ(
+      run_trial(noisy, spec, limits, {core::CellField(backlight.grid, 0.1)}, {1e-5})->stop_reason.rfind("stalled", 0),
+      0U);
 }
 
 TEST(MethodBench, MediansOfThoseThatReachedIt) {

@@ -105,11 +105,14 @@ TEST(PathReuse, SolvesTheDesignOnTwoTraces) {
   EXPECT_LT(reused, 0.6 * ratio);
 }
 
-/// Interrupted after two steps, with nothing but what a checkpoint holds: the third step has the same bits.
-TEST(PathReuse, GoesOnFromAnInterruptionToTheSameBits) {
+/// Updaters that want records, interrupted after two steps, with nothing but what a checkpoint holds: the third step
+/// has the same bits.
+class OnRecords : public testing::TestWithParam<std::string> {};
+
+TEST_P(OnRecords, GoesOnFromAnInterruptionToTheSameBits) {
   const tracer::Scene scene = tests::scene_of(kPlate);
   const ForwardModel model = traced_model(scene, options_of(4));
-  DesignSpec spec = spec_of("path_reuse");
+  DesignSpec spec = spec_of(GetParam());
   spec.stop_rms = 1e-4;
   spec.max_steps = 3;
   const DesignLimits limits{10'000, 20'000};
@@ -124,6 +127,42 @@ TEST(PathReuse, GoesOnFromAnInterruptionToTheSameBits) {
   EXPECT_EQ(whole.steps.size(), resumed.steps.size());
   EXPECT_EQ(whole.density.cells.values, resumed.density.cells.values);
   EXPECT_EQ(whole.notes, resumed.notes);
+}
+
+INSTANTIATE_TEST_SUITE_P(Updaters, OnRecords, testing::Values("auto", "path_reuse", "coarse_newton", "gradient"),
+                         [](const auto& name) { return name.param; });
+
+/// The first trace's histories foresee an even shape: the level is chosen then, before a trace is spent on another.
+TEST(PathReuse, LetsTheLevelBeChosenAtTheStart) {
+  const tracer::Scene scene = tests::scene_of(kPlate);
+  const ForwardModel model = traced_model(scene, options_of(6));
+  DesignSpec spec = spec_of("path_reuse");
+  spec.level.reset();
+  spec.stop_rms = 0.03;
+  const DesignLimits limits{40'000, 160'000};
+  const DesignProgress progress =
+      run_design(model, spec, limits, start_design(initial_density(scene.spec), spec, limits),
+                 [](const StepRecord&, const DesignProgress&) {});
+  EXPECT_GT(progress.steps.front().rms_corrected.value, 0.3);
+  EXPECT_GT(progress.steps.front().level_photons, 0U);
+  ASSERT_GT(progress.steps.size(), 2U);
+  EXPECT_NEAR(progress.steps[1].mean_density, progress.steps[2].mean_density, 0.02 * progress.steps[1].mean_density);
+  EXPECT_LT(progress.steps[2].rms_corrected.value, 0.05);
+}
+
+/// Few of a trace's photons recorded: a small change of the density is told nearly as well as by all.
+TEST(ReusedHistories, TellSmallChangesFromFewRecords) {
+  const tracer::Scene scene = tests::scene_of(kPlate);
+  TracedModelOptions options = options_of(7);
+  options.record_bytes = std::size_t{1} << 20;
+  const DesignState state = recorded_state(traced_model(scene, options), 100'000, 0.1);
+  ASSERT_LT(state.observation.records->photons(), 20'000U);
+  tracer::DensityField near = state.density;
+  for (std::size_t i = 0; i < near.cells.values.size(); ++i) near.cells.values[i] *= i % 2 == 0 ? 1.02 : 0.98;
+  EXPECT_GT(ReusedHistories(state, spec_of("path_reuse")).at(near).effective_share, 0.8);
+  const double recorded = static_cast<double>(state.observation.records->photons());
+  EXPECT_NEAR(worth_of(state.recorded.front(), 1.0), 100'000.0, 1e-6);
+  EXPECT_NEAR(worth_of(state.recorded.front(), 0.5), 1.0 / (1.0 / recorded + 1e-5), 1e-6);
 }
 
 TEST(PathReuse, IsTakenByAutoWhereThereAreRecords) {

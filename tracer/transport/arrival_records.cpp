@@ -5,6 +5,7 @@
 
 #include "core/base/error.h"
 #include "core/montecarlo/batches.h"
+#include "tracer/transport/arrival_factors.h"
 
 namespace evenglow::tracer {
 namespace {
@@ -21,11 +22,6 @@ struct BatchWeights {
 
 }  // namespace
 
-/// Of each cell: what its outcomes are worth, and how that changes with ln density.
-struct ArrivalRecords::Factors {
-  std::vector<double> met, passed, slope_passed;
-};
-
 ArrivalRecords::ArrivalRecords(const DensityField& density, std::size_t bins, int threads, std::vector<ArrivalLog> logs)
     : density_(density), bins_(bins), threads_(threads) {
   for (ArrivalLog& log : logs) {
@@ -41,20 +37,13 @@ std::size_t ArrivalRecords::bytes() const {
   return sum;
 }
 
-ArrivalRecords::Factors ArrivalRecords::factors_to(const DensityField& density) const {
-  if (density.cells.grid != density_.cells.grid) throw core::Error("records are of other cells of the density");
-  Factors factors;
-  for (std::size_t i = 0; i < density.cells.values.size(); ++i) {
-    const double before = density_.cells.values[i], now = density.cells.values[i];
-    factors.met.push_back(before > 0.0 ? now / before : 1.0);
-    factors.passed.push_back(before < 1.0 ? (1.0 - now) / (1.0 - before) : 1.0);
-    factors.slope_passed.push_back(now < 1.0 ? -now / (1.0 - now) : 0.0);
-  }
-  return factors;
+double ArrivalRecords::batch_scale(std::size_t batch) const {
+  const double mean = static_cast<double>(photons_) / static_cast<double>(words_.size());
+  return mean / static_cast<double>(batch_photons_[batch]);
 }
 
 Reweighted ArrivalRecords::at(const DensityField& density) const {
-  const Factors factors = factors_to(density);
+  const ArrivalFactors factors(density_, density);
   std::vector<std::vector<double>> sums(words_.size());
   std::vector<BatchWeights> weights(words_.size());
   core::run_batches(words_.size(), threads_, [&](std::size_t batch) {
@@ -97,13 +86,10 @@ Reweighted ArrivalRecords::at(const DensityField& density) const {
   });
   Reweighted result{core::Tally(bins_), photons_, 0.0};
   BatchWeights all;
-  const double mean_photons = static_cast<double>(photons_) / static_cast<double>(words_.size());
   for (std::size_t batch = 0; batch < words_.size(); ++batch) {
     all.sum += weights[batch].sum;
     all.squares += weights[batch].squares;
-    // Batches hold slightly different numbers of photons: all count as one of the mean number.
-    const double scale = mean_photons / static_cast<double>(batch_photons_[batch]);
-    for (double& value : sums[batch]) value *= scale;
+    for (double& value : sums[batch]) value *= batch_scale(batch);
     result.luminance.add_batch(std::move(sums[batch]));
   }
   if (all.squares > 0.0) result.effective_share = all.sum * all.sum / (static_cast<double>(photons_) * all.squares);
@@ -111,7 +97,7 @@ Reweighted ArrivalRecords::at(const DensityField& density) const {
 }
 
 core::Tally ArrivalRecords::derivative(const DensityField& density, const core::CellField& direction) const {
-  const Factors factors = factors_to(density);
+  const ArrivalFactors factors(density_, density);
   if (direction.grid != density_.cells.grid) throw core::Error("the direction is of other cells of the density");
   std::vector<double> slope_passed = factors.slope_passed;
   for (std::size_t i = 0; i < slope_passed.size(); ++i) slope_passed[i] *= direction.values[i];
@@ -159,9 +145,8 @@ core::Tally ArrivalRecords::derivative(const DensityField& density, const core::
     sums[batch] = std::move(own);
   });
   core::Tally result(bins_);
-  const double mean_photons = static_cast<double>(photons_) / static_cast<double>(words_.size());
   for (std::size_t batch = 0; batch < words_.size(); ++batch) {
-    for (double& value : sums[batch]) value *= mean_photons / static_cast<double>(batch_photons_[batch]);
+    for (double& value : sums[batch]) value *= batch_scale(batch);
     result.add_batch(std::move(sums[batch]));
   }
   return result;

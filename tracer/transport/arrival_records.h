@@ -1,8 +1,11 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
+
+#include <Eigen/Core>
 
 #include "core/math/cell_field.h"
 #include "core/montecarlo/tally.h"
@@ -17,6 +20,21 @@ struct Reweighted {
   std::uint64_t photons = 0;  ///< recorded
   double effective_share =
       0.0;  ///< (sum W)^2 / (n sum W^2), W the weight of a history at its last deposit; 1: as traced
+};
+
+/// Directions in ln density, of which few reach a cell: the parts of the directions at each cell of the density.
+struct DirectionSet {
+  struct Part {
+    std::uint32_t direction = 0;
+    float weight = 0.0F;  ///< 0: none
+  };
+  std::size_t count = 0;
+  std::vector<std::array<Part, 4>> of_cell;
+};
+
+/// A Jacobian, rows x directions, with the variance of each entry from the batches.
+struct RecordedSlopes {
+  Eigen::MatrixXd mean, variance;
 };
 
 /// Histories of the photons of one trace, kept so that the luminance at another density needs no new photons
@@ -38,13 +56,20 @@ class ArrivalRecords {
   /// each deposit times the sum of direction over what met, less direction r/(1 - r) over what passed.
   core::Tally derivative(const DensityField& density, const core::CellField& direction) const;
 
+  /// For a weighted sum S = sum_i weights_i L_i of the luminance (the unit of `at`), dS/d ln density of every cell at
+  /// once: the events of each history backwards, each arrival with the light that came after it.
+  core::CellField gradient(const DensityField& density, const std::vector<double>& weights) const;
+  /// d L_row / d e of the luminance summed over rows of bins at density exp(sum_j e_j direction_j).
+  RecordedSlopes jacobian(const DensityField& density, const DirectionSet& directions,
+                          const std::vector<std::uint32_t>& row_of_bin, std::size_t rows) const;
+
   const DensityField& density() const { return density_; }
   std::uint64_t photons() const { return photons_; }
   std::size_t bytes() const;
 
  private:
-  struct Factors;
-  Factors factors_to(const DensityField& density) const;
+  /// Batches hold slightly different numbers of photons: all count as one of the mean number.
+  double batch_scale(std::size_t batch) const;
 
   DensityField density_;
   std::size_t bins_;
