@@ -118,7 +118,7 @@ class Giver {
       if (stop.stop_requested()) {
         const auto now = std::chrono::steady_clock::now();
         if (!stopped) stopped = now;
-        if (now - *stopped > kPatience) throw RankLost("another rank does not answer, it may have ended");
+        if (now - *stopped > kPatience) throw RankLost("another rank has ended or does not answer: --resume goes on from the last whole step");
       }
       if (idle) rest();
     }

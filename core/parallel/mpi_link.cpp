@@ -37,7 +37,7 @@ void wait_for(MPI_Request& request, const std::stop_token& stop, std::chrono::mi
     if (done != 0) return;
     const auto now = Clock::now();
     if (stop.stop_requested() && !asked) asked = now;
-    if (asked && now - *asked > patience) throw RankLost("another rank does not answer, it may have ended");
+    if (asked && now - *asked > patience) throw RankLost("another rank has ended or does not answer: --resume goes on from the last whole step");
     if (now - begin < std::chrono::milliseconds(2)) {
       std::this_thread::yield();
     } else {
@@ -95,7 +95,8 @@ class MpiLink final : public RankLink {
     return message;
   }
 
-  void abandon(int exit_code) override { MPI_Abort(MPI_COMM_WORLD, exit_code); }
+  /// The launcher is ending all ranks already, as a stop was asked for: MPI_Abort would only say so again, at length.
+  void abandon(int exit_code) override { std::_Exit(exit_code); }
 
  private:
   void gather_round(const std::string& mine, std::uint64_t from, std::uint64_t round,

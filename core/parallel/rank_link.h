@@ -38,7 +38,7 @@ class RankLink {
   virtual void send(int to, const std::vector<std::uint64_t>& words) = 0;
   /// A message that has come, in the order of sending as far as one sender goes; returns at once.
   virtual std::optional<RankMessage> poll() = 0;
-  /// Ends the processes of all ranks: another rank does not answer any more, and there is no other way out.
+  /// Ends this process at once: another rank does not answer any more, and MPI has no other way out.
   virtual void abandon(int exit_code) = 0;
 
   static constexpr std::size_t kMostWords = 4096;

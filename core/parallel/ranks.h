@@ -62,7 +62,7 @@ class RankGroup {
   double others_cpu_s() const { return others_cpu_s_; }
 
   /// The end of the run at this rank; `failure` tells the others why, if it failed. Returns when all have come to their
-  /// end. Where a rank is lost, ends all processes with the exit code.
+  /// end. Where a rank is lost, ends the process with the exit code.
   void finish(std::string_view failure, int exit_code);
 
  private:

@@ -80,10 +80,12 @@ std::string health(const tracer::TraceResult& result) {
   return "";
 }
 
-/// Of a mean that enough photons have made; none where too few did for its error to be known.
-void add_pull(const core::Estimate& a, const core::Estimate& b, std::vector<double>& pulls) {
+/// Of a mean that enough photons have made; false where too few did for its error to be known.
+bool add_pull(const core::Estimate& a, const core::Estimate& b, std::vector<double>& pulls) {
   const double se = std::hypot(a.se, b.se), mean = 0.5 * (a.value + b.value);
-  if (se > 0.0 && se < 0.1 * mean) pulls.push_back((a.value - b.value) / se);
+  if (!(se > 0.0 && se < 0.1 * mean)) return false;
+  pulls.push_back((a.value - b.value) / se);
+  return true;
 }
 
 class Soak {
@@ -122,8 +124,9 @@ class Soak {
     }
     ++outcome.traced;
     const auto top = static_cast<std::size_t>(tracer::Side::kTop);
-    add_pull(results[0].energy.total(top), results[1].energy.total(top), outcome.pulls);
-    add_pull(sum_of(results[0].luminance), sum_of(results[1].luminance), outcome.pulls);
+    // One of a file, as the two of one trace go together.
+    if (!add_pull(sum_of(results[0].luminance), sum_of(results[1].luminance), outcome.pulls))
+      add_pull(results[0].energy.total(top), results[1].energy.total(top), outcome.pulls);
     return "";
   }
 
