@@ -12,11 +12,14 @@
 #include "app/commands/dots.h"
 #include "app/commands/film.h"
 #include "app/interrupt.h"
+#include "app/output_directory.h"
+#include "app/rank_role.h"
 #include "app/repeating_command.h"
 #include "core/base/error.h"
 #include "core/base/version.h"
 #include "core/config/message_text.h"
 #include "core/config/suggestion.h"
+#include "core/parallel/ranks.h"
 
 namespace {
 
@@ -149,7 +152,7 @@ int refuse(const CLI::App& program, const CLI::ParseError& error, int argc, char
   return evenglow::app::kWrongInput;
 }
 
-int run(int argc, char** argv) {
+int run(int argc, char** argv, evenglow::core::RankGroup& ranks) {
   CLI::App program(
       "Evenglow designs LCD backlights: the density of the microstructure of a light guide plate, by polarized "
       "Monte Carlo. Lengths are mm, angles degrees, flux lm, luminance cd/m2.",
@@ -191,11 +194,20 @@ int run(int argc, char** argv) {
   }
   std::signal(SIGXFSZ, SIG_IGN);  // a limit of file sizes is told like a full disk, and kills nothing
   const evenglow::app::InterruptGuard interrupt;
+  const bool shared = chosen != nullptr && chosen->traces;
+  if (ranks.rank() > 0 && !shared) return evenglow::app::kDone;  // rank 0 does it alone
   if (schema) return evenglow::app::schema_command({options, interrupt.token(), "evenglow schema"});
   if (dots.chosen()) return dots.run({options, interrupt.token(), "dots"});
   if (bench.chosen()) return bench.run({options, interrupt.token(), "bench-design"});
   if (films.chosen() != nullptr) return films.chosen()->run({options, interrupt.token(), "film"});
-  return chosen->run({options, interrupt.token(), evenglow::app::repeating_command(chosen->name, options)});
+  const std::string repeating = evenglow::app::repeating_command(chosen->name, options);
+  if (!shared) return chosen->run({options, interrupt.token(), repeating});
+  const bool many = chosen->run == evenglow::app::batch_command;
+  const evenglow::app::RankRole role(
+      ranks, options,
+      many ? evenglow::app::batch_directory(options) : evenglow::app::output_directory(options, options.files.front()),
+      interrupt.token());
+  return chosen->run({role.options(), interrupt.token(), repeating});
 }
 
 /// To stderr, which may lie on a full disk: never throws of that.
@@ -203,14 +215,31 @@ void tell(const std::string& line) {
   std::fprintf(stderr, "%s\n", line.c_str());
 }
 
+/// The exit code; what failed, in `failure`.
+int run_told(int argc, char** argv, evenglow::core::RankGroup& ranks, std::string& failure) {
+  try {
+    return run(argc, argv, ranks);
+  } catch (const evenglow::core::ConfigError& error) {
+    for (const auto& fault : error.faults()) tell(fault.to_string());
+    failure = error.what();
+    return evenglow::app::kWrongInput;
+  } catch (const std::exception& error) {
+    tell(std::string("evenglow: ") + error.what());
+    failure = error.what();
+    return evenglow::app::kFailed;
+  }
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   try {
-    return run(argc, argv);
-  } catch (const evenglow::core::ConfigError& error) {
-    for (const auto& fault : error.faults()) tell(fault.to_string());
-    return evenglow::app::kWrongInput;
+    evenglow::core::RankGroup ranks(evenglow::core::world_link());
+    if (ranks.rank() > 0) evenglow::app::keep_quiet();
+    std::string failure;
+    const int code = run_told(argc, argv, ranks, failure);
+    ranks.finish(failure, code);
+    return code;
   } catch (const std::exception& error) {
     tell(std::string("evenglow: ") + error.what());
     return evenglow::app::kFailed;

@@ -27,6 +27,7 @@ design::ForwardModel make_model(const tracer::Scene& scene, const Run& run, cons
   options.threads = context.options.threads;
   options.stop = context.stop;
   options.path = run.trace.path;
+  options.ranks = context.options.ranks;
   Progress& progress = context.progress;
   options.progress = [&progress](std::uint64_t done, std::uint64_t all) { progress.photons(done, all); };
   return traced_model(scene, std::move(options));

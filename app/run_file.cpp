@@ -102,6 +102,7 @@ Run read_point(const std::filesystem::path& file, const RunPoint& point, const O
   overrides.insert(overrides.end(), from_options.begin(), from_options.end());
   Run run = read(document, overrides, purpose);
   run.variant = point.name;
+  if (options.helper) run.output.clear();
   return run;
 }
 

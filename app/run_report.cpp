@@ -8,6 +8,7 @@
 #include "core/base/sha256.h"
 #include "core/base/units.h"
 #include "core/base/version.h"
+#include "core/parallel/ranks.h"
 #include "design/engine/design_loop.h"
 #include "design/engine/traced_metrology.h"
 #include "design/problem/target.h"
@@ -54,6 +55,7 @@ Report describe_run(const Run& run, const RunContext& context) {
   report.overrides = run.overrides;
   report.seed = run.trace.seed;
   report.threads = core::effective_threads(context.options.threads);
+  report.ranks = context.options.ranks != nullptr ? context.options.ranks->count() : 1;
   report.processor = design::processor_name();
   report.luminance_estimator = estimator_text(run.backlight.luminance);
   report.density_min = run.design.density_min;

@@ -213,12 +213,12 @@ class Batch {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-std::filesystem::path place_of(const Options& options) {
+}  // namespace
+
+std::filesystem::path batch_directory(const Options& options) {
   if (options.files.size() == 1 || !options.out.empty()) return output_directory(options, options.files.front());
   return std::filesystem::path("out") / "batch";
 }
-
-}  // namespace
 
 int batch_command(const Session& session) {
   const Options& options = session.options;
@@ -227,7 +227,7 @@ int batch_command(const Session& session) {
       std::all_of(plan.begin(), plan.end(), [](const PlannedRun& run) { return !run.faults.empty(); });
   tell_faults(plan);
   if (none_good) return kWrongInput;
-  const auto directory = place_of(options);
+  const auto directory = batch_directory(options);
   check_not_in_use(directory);
   check_places(directory, plan, options);
   make_directory(directory);

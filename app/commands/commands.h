@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <stop_token>
 #include <string>
 
@@ -22,6 +23,8 @@ int compare_command(const Session& session);
 int pareto_command(const Session& session);
 int optimize_command(const Session& session);
 int batch_command(const Session& session);
+/// Where a batch goes.
+std::filesystem::path batch_directory(const Options& options);
 int schema_command(const Session& session);
 int trace_command(const Session& session);
 int paths_command(const Session& session);

@@ -71,7 +71,7 @@ bool is_other_base(std::string_view text) {
 }
 
 /// Why the value is not the `what` ("a number") that it must be.
-std::string not_a_number(const ConfigValue& value, std::string what) {
+std::string not_a_number(const ConfigValue& value, const std::string& what) {
   const std::string got = ", got " + described(value);
   if (!value.is_scalar()) return "must be " + what + got;
   if (value.quoted) return "must be " + what + " without quotes" + got;

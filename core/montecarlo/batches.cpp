@@ -19,6 +19,9 @@ BatchRange batch_range(std::size_t batch, std::size_t batches, std::uint64_t pho
 
 bool run_batches(std::size_t count, int threads, const std::function<void(std::size_t)>& work, std::stop_token stop) {
   std::atomic<std::size_t> done = 0;
+  // What was written before is seen by all threads: so it is by TBB, and so tools see it that do not look into TBB.
+  std::atomic<bool> begun = false;
+  begun.store(true, std::memory_order_release);
   tbb::task_arena arena(effective_threads(threads));
   arena.execute([&] {
     // A grain of one batch: batches are few and long, and their lengths differ.
@@ -26,7 +29,7 @@ bool run_batches(std::size_t count, int threads, const std::function<void(std::s
         tbb::blocked_range<std::size_t>(0, count, 1),
         [&](const tbb::blocked_range<std::size_t>& range) {
           for (std::size_t i = range.begin(); i != range.end(); ++i) {
-            if (stop.stop_requested()) return;
+            if (!begun.load(std::memory_order_acquire) || stop.stop_requested()) return;
             work(i);
             ++done;
           }

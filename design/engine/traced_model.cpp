@@ -94,12 +94,16 @@ void add_angular(const tracer::Scene& scene, const tracer::TraceResult& result, 
   }
 }
 
+double cpu_of_all(const TracedModelOptions& options) {
+  return core::process_cpu_seconds() + (options.ranks != nullptr ? options.ranks->others_cpu_s() : 0.0);
+}
+
 /// One trace; `record_bytes` 0: without records.
 std::optional<Observation> observe(const tracer::Scene& scene, const TracedModelOptions& options,
                                    std::size_t record_bytes, const tracer::DensityField& density, std::uint64_t photons,
                                    std::uint32_t step) {
   const auto wall = std::chrono::steady_clock::now();
-  const double cpu = core::process_cpu_seconds();
+  const double cpu = cpu_of_all(options);
   tracer::TraceOptions run;
   run.photons = tracer::whole_batches(photons, options.batches);
   run.batches = options.batches;
@@ -108,13 +112,14 @@ std::optional<Observation> observe(const tracer::Scene& scene, const TracedModel
   run.stop = options.stop;
   run.path = options.path;
   run.record_bytes = record_bytes;
+  run.ranks = options.ranks;
   if (options.progress) run.progress = [&](std::uint64_t done) { options.progress(done, run.photons); };
   const auto result = trace(scene, density, run);
   if (!result) return std::nullopt;
   check_energy(*result, step);
   Observation observation = make_observation(scene, *result);
   observation.records = result->records;
-  observation.cpu_s = core::process_cpu_seconds() - cpu;
+  observation.cpu_s = cpu_of_all(options) - cpu;
   observation.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - wall).count();
   return observation;
 }

@@ -19,6 +19,7 @@ struct TracedModelOptions {
   std::stop_token stop{};
   tracer::TracePath path = tracer::TracePath::kAuto;
   std::size_t record_bytes = std::size_t{128} << 20;  ///< for the histories of a trace, where they are asked for
+  core::RankGroup* ranks = nullptr;                   ///< that share each trace; null: this process alone
   /// Photons done of those of this trace.
   std::function<void(std::uint64_t done, std::uint64_t all)> progress{};
 };

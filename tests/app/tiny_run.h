@@ -45,6 +45,7 @@ inline std::string lasting_part(const std::filesystem::path& result_file) {
   nlohmann::ordered_json result = json_of(result_file);
   result.erase("timing");
   result.erase("threads");
+  result.erase("ranks");
   return result.dump(1);
 }
 

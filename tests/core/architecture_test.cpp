@@ -28,6 +28,7 @@ const HouseRules& house() {
               {"core/math", {}},
               {"core/light", {"core/math"}},
               {"core/montecarlo", {}},
+              {"core/parallel", {"core/montecarlo"}},
               {"core/dots", {"core/config"}},
 
               {"tracer/geometry", {"core/math"}},
@@ -50,7 +51,8 @@ const HouseRules& house() {
                 "tracer/sources", "tracer/receivers", "core/config", "core/light", "core/math"}},
               {"tracer/transport",
                {"tracer/scene", "tracer/geometry", "tracer/optics", "tracer/films", "tracer/microstructure",
-                "tracer/sources", "tracer/receivers", "core/config", "core/light", "core/math", "core/montecarlo"}},
+                "tracer/sources", "tracer/receivers", "core/config", "core/light", "core/math", "core/montecarlo",
+                "core/parallel"}},
               {"tracer/goniometer",
                {"tracer/films", "tracer/optics", "tracer/polarized_bsdf", "core/config", "core/light", "core/math",
                 "core/montecarlo"}},
@@ -70,16 +72,17 @@ const HouseRules& house() {
                 "core/montecarlo/photon_rng.h"}},
               {"design/engine",
                {"design/problem", "design/updaters", "design/report", "tracer/scene", "tracer/transport",
-                "tracer/receivers", "core/config", "core/math", "core/montecarlo"}},
+                "tracer/receivers", "core/config", "core/math", "core/montecarlo", "core/parallel"}},
 
               {"app",
                {"design", "tracer/goniometer", "tracer/polarized_bsdf", "tracer/scene", "tracer/transport",
-                "tracer/films/bef.h", "core/config", "core/dots", "core/math", "core/montecarlo"}},
+                "tracer/films/bef.h", "core/config", "core/dots", "core/math", "core/montecarlo", "core/parallel"}},
           },
       .libraries =
           {
               {"yaml-cpp", {"yaml-cpp/"}, {"core/config/"}},
               {"TBB", {"tbb/", "oneapi/"}, {"core/montecarlo/batches.cpp"}},
+              {"MPI", {"mpi.h"}, {"core/parallel/mpi_link.cpp"}},
               {"OpenSSL", {"openssl/"}, {"core/base/sha256.cpp"}},
               {"Random123", {"Random123/"}, {"core/montecarlo/"}},
               {"Embree", {"embree"}, {"tracer/geometry/ray_caster.cpp"}},
@@ -96,7 +99,7 @@ const HouseRules& house() {
               {"spdlog", {"spdlog/"}, {"app/"}},
               {"Eigen", {"Eigen/"}, {}},
               {"fmt", {"fmt/"}, {}},
-              {"POSIX", {"sys/", "unistd.h", "fcntl.h", "signal.h", "ucontext.h"}, {}},
+              {"POSIX", {"sys/", "unistd.h", "fcntl.h", "signal.h", "sched.h", "ucontext.h"}, {}},
           },
   };
   return kRules;
@@ -151,6 +154,7 @@ HouseRules small_house() {
           .folders = {{"core/base", {}},
                       {"core/light", {}},
                       {"core/montecarlo", {}},
+                      {"core/parallel", {"core/montecarlo"}},
                       {"tracer/optics", {"core/light", "core/montecarlo/rng.h"}}},
           .libraries = {{"TBB", {"tbb/"}, {"core/montecarlo/batches.cpp"}}, {"Eigen", {"Eigen/"}, {}}}};
 }

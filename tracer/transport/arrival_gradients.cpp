@@ -3,7 +3,6 @@
 #include <utility>
 
 #include "core/base/error.h"
-#include "core/montecarlo/batches.h"
 #include "tracer/transport/arrival_factors.h"
 #include "tracer/transport/arrival_records.h"
 
@@ -179,8 +178,7 @@ void add_batch(const std::vector<std::uint32_t>& words, const std::vector<std::u
 core::CellField ArrivalRecords::gradient(const DensityField& density, const std::vector<double>& weights) const {
   core::expects(weights.size() == bins_, "a weight for each cell of the display");
   const ArrivalFactors factors(density_, density);
-  std::vector<std::vector<double>> sums(words_.size());
-  core::run_batches(words_.size(), threads_, [&](std::size_t batch) {
+  const auto sums = of_batches([&](std::size_t batch) {
     std::vector<double> own(density_.cells.values.size(), 0.0);
     std::vector<Event> events;
     const std::uint32_t* const end = words_[batch].data() + words_[batch].size();
@@ -188,7 +186,7 @@ core::CellField ArrivalRecords::gradient(const DensityField& density, const std:
       at = values_of(at, factors, weights, events);
       add_backwards(events, factors, own);
     }
-    sums[batch] = std::move(own);
+    return own;
   });
   core::CellField result(density_.cells.grid, 0.0);
   for (std::size_t batch = 0; batch < sums.size(); ++batch) {
@@ -202,16 +200,18 @@ RecordedSlopes ArrivalRecords::jacobian(const DensityField& density, const Direc
   core::expects(directions.of_cell.size() == density_.cells.values.size(), "parts for each cell of the density");
   core::expects(row_of_bin.size() == bins_, "a row for each cell of the display");
   const ArrivalFactors factors(density_, density);
-  std::vector<Eigen::MatrixXf> sums(words_.size());
-  core::run_batches(words_.size(), threads_, [&](std::size_t batch) {
+  const auto sums = of_batches([&](std::size_t batch) {
     BatchJacobian own(factors, directions, rows);
     add_batch(words_[batch], row_of_bin, own);
-    sums[batch] = own.take();
+    const Eigen::MatrixXf slopes = own.take();
+    return std::vector<double>(slopes.data(), slopes.data() + slopes.size());
   });
   const auto count = static_cast<double>(sums.size());
-  Eigen::MatrixXd mean = Eigen::MatrixXd::Zero(sums.front().cols(), sums.front().rows()), squares = mean;
+  const auto columns = static_cast<Eigen::Index>(directions.count);
+  Eigen::MatrixXd mean = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(rows), columns), squares = mean;
   for (std::size_t batch = 0; batch < sums.size(); ++batch) {
-    const Eigen::MatrixXd own = batch_scale(batch) * sums[batch].transpose().cast<double>();
+    const Eigen::Map<const Eigen::MatrixXd> slopes(sums[batch].data(), columns, static_cast<Eigen::Index>(rows));
+    const Eigen::MatrixXd own = batch_scale(batch) * slopes.transpose();
     mean += own;
     squares += own.cwiseAbs2();
   }

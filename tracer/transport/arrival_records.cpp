@@ -16,25 +16,32 @@ LogKind kind_of(std::uint32_t word) {
   return static_cast<LogKind>(word >> ArrivalLog::kKindShift);
 }
 
-struct BatchWeights {
-  double sum = 0.0, squares = 0.0;
-};
-
 }  // namespace
 
-ArrivalRecords::ArrivalRecords(const DensityField& density, std::size_t bins, int threads, std::vector<ArrivalLog> logs)
-    : density_(density), bins_(bins), threads_(threads) {
-  for (ArrivalLog& log : logs) {
-    photons_ += log.photons();
-    batch_photons_.push_back(log.photons());
-    words_.push_back(log.take());
+ArrivalRecords::ArrivalRecords(const DensityField& density, std::size_t bins, int threads, std::vector<ArrivalLog> logs,
+                               core::RankGroup* ranks, std::stop_token stop)
+    : density_(density), bins_(bins), threads_(threads), ranks_(ranks), stop_(std::move(stop)) {
+  std::vector<std::vector<double>> sizes(logs.size());
+  for (std::size_t i = 0; i < logs.size(); ++i) {
+    const std::size_t photons = logs[i].photons();
+    words_.push_back(logs[i].take());
+    sizes[i] = {static_cast<double>(photons), static_cast<double>(words_.back().size() * sizeof(std::uint32_t))};
+    if (photons > 0 || ranks_ == nullptr) own_.push_back(i);
+  }
+  if (ranks_ != nullptr) ranks_->share(own_, sizes, stop_);
+  for (const auto& size : sizes) {
+    batch_photons_.push_back(static_cast<std::uint64_t>(size[0]));
+    photons_ += batch_photons_.back();
+    bytes_ += static_cast<std::size_t>(size[1]);
   }
 }
 
-std::size_t ArrivalRecords::bytes() const {
-  std::size_t sum = 0;
-  for (const auto& batch : words_) sum += batch.size() * sizeof(std::uint32_t);
-  return sum;
+std::vector<std::vector<double>> ArrivalRecords::of_batches(
+    const std::function<std::vector<double>(std::size_t)>& sum_of) const {
+  std::vector<std::vector<double>> sums(words_.size());
+  core::run_batches(own_.size(), threads_, [&](std::size_t i) { sums[own_[i]] = sum_of(own_[i]); });
+  if (ranks_ != nullptr) ranks_->share(own_, sums, stop_);
+  return sums;
 }
 
 double ArrivalRecords::batch_scale(std::size_t batch) const {
@@ -44,10 +51,9 @@ double ArrivalRecords::batch_scale(std::size_t batch) const {
 
 Reweighted ArrivalRecords::at(const DensityField& density) const {
   const ArrivalFactors factors(density_, density);
-  std::vector<std::vector<double>> sums(words_.size());
-  std::vector<BatchWeights> weights(words_.size());
-  core::run_batches(words_.size(), threads_, [&](std::size_t batch) {
-    std::vector<double> own(bins_, 0.0);
+  // After the bins of a batch, what its weights come to.
+  auto sums = of_batches([&](std::size_t batch) {
+    std::vector<double> own(bins_ + 2, 0.0);
     double weight = 1.0, at_deposit = 1.0, crossed = 1.0, share = 1.0;
     const std::uint32_t* const end = words_[batch].data() + words_[batch].size();
     for (const std::uint32_t* at = words_[batch].data(); at != end; ++at) {
@@ -76,23 +82,25 @@ Reweighted ArrivalRecords::at(const DensityField& density) const {
           crossed = 1.0;
           break;
         case LogKind::kPhotonEnd:
-          weights[batch].sum += at_deposit;
-          weights[batch].squares += at_deposit * at_deposit;
+          own[bins_] += at_deposit;
+          own[bins_ + 1] += at_deposit * at_deposit;
           weight = at_deposit = crossed = share = 1.0;
           break;
       }
     }
-    sums[batch] = std::move(own);
+    return own;
   });
   Reweighted result{core::Tally(bins_), photons_, 0.0};
-  BatchWeights all;
+  double weight_sum = 0.0, weight_squares = 0.0;
   for (std::size_t batch = 0; batch < words_.size(); ++batch) {
-    all.sum += weights[batch].sum;
-    all.squares += weights[batch].squares;
+    weight_sum += sums[batch][bins_];
+    weight_squares += sums[batch][bins_ + 1];
+    sums[batch].resize(bins_);
     for (double& value : sums[batch]) value *= batch_scale(batch);
     result.luminance.add_batch(std::move(sums[batch]));
   }
-  if (all.squares > 0.0) result.effective_share = all.sum * all.sum / (static_cast<double>(photons_) * all.squares);
+  if (weight_squares > 0.0)
+    result.effective_share = weight_sum * weight_sum / (static_cast<double>(photons_) * weight_squares);
   return result;
 }
 
@@ -101,8 +109,7 @@ core::Tally ArrivalRecords::derivative(const DensityField& density, const core::
   if (direction.grid != density_.cells.grid) throw core::Error("the direction is of other cells of the density");
   std::vector<double> slope_passed = factors.slope_passed;
   for (std::size_t i = 0; i < slope_passed.size(); ++i) slope_passed[i] *= direction.values[i];
-  std::vector<std::vector<double>> sums(words_.size());
-  core::run_batches(words_.size(), threads_, [&](std::size_t batch) {
+  auto sums = of_batches([&](std::size_t batch) {
     std::vector<double> own(bins_, 0.0);
     double weight = 1.0, slope = 0.0, crossed = 1.0, crossed_slope = 0.0, share = 1.0, share_slope = 0.0;
     const auto deposit = [&](std::uint32_t bin, float amount, double factor, double own_slope) {
@@ -142,7 +149,7 @@ core::Tally ArrivalRecords::derivative(const DensityField& density, const core::
           break;
       }
     }
-    sums[batch] = std::move(own);
+    return own;
   });
   core::Tally result(bins_);
   for (std::size_t batch = 0; batch < words_.size(); ++batch) {

@@ -3,12 +3,15 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
+#include <stop_token>
 #include <vector>
 
 #include <Eigen/Core>
 
 #include "core/math/cell_field.h"
 #include "core/montecarlo/tally.h"
+#include "core/parallel/ranks.h"
 #include "tracer/scene/density_field.h"
 #include "tracer/transport/arrival_log.h"
 
@@ -47,8 +50,12 @@ struct RecordedSlopes {
 /// 0 < r < 1. Where r is 0 or 1 the other outcome was never seen: the factor is then 1.
 class ArrivalRecords {
  public:
-  /// The logs of batches traced at `density`, for a display with `bins` cells.
-  ArrivalRecords(const DensityField& density, std::size_t bins, int threads, std::vector<ArrivalLog> logs);
+  /// The logs of batches traced at `density`, for a display with `bins` cells. Where ranks share the batches (`ranks`
+  /// not null, and living longer), each keeps the logs of those that it traced and re-weights them; the sums are
+  /// exchanged, so that every rank must ask for the same things in the same order. `stop` shortens the waiting for a
+  /// lost rank.
+  ArrivalRecords(const DensityField& density, std::size_t bins, int threads, std::vector<ArrivalLog> logs,
+                 core::RankGroup* ranks = nullptr, std::stop_token stop = {});
 
   /// At the density `density`, on the same cells. Error for others.
   Reweighted at(const DensityField& density) const;
@@ -65,18 +72,24 @@ class ArrivalRecords {
 
   const DensityField& density() const { return density_; }
   std::uint64_t photons() const { return photons_; }
-  std::size_t bytes() const;
+  std::size_t bytes() const { return bytes_; }  ///< at all ranks
 
  private:
   /// Batches hold slightly different numbers of photons: all count as one of the mean number.
   double batch_scale(std::size_t batch) const;
+  /// `sum_of(batch)` of each batch, by the rank that holds it.
+  std::vector<std::vector<double>> of_batches(const std::function<std::vector<double>(std::size_t)>& sum_of) const;
 
   DensityField density_;
   std::size_t bins_;
   int threads_;
+  core::RankGroup* ranks_;
+  std::stop_token stop_;
   std::uint64_t photons_ = 0;
+  std::size_t bytes_ = 0;
+  std::vector<std::size_t> own_;  ///< batches whose words are here
   std::vector<std::uint64_t> batch_photons_;
-  std::vector<std::vector<std::uint32_t>> words_;  ///< of each batch
+  std::vector<std::vector<std::uint32_t>> words_;  ///< of each batch of `own_`
 };
 
 }  // namespace evenglow::tracer

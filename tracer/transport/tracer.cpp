@@ -1,5 +1,6 @@
 #include "tracer/transport/tracer.h"
 
+#include <algorithm>
 #include <memory>
 #include <mutex>
 #include <vector>
@@ -10,6 +11,7 @@
 #include "core/montecarlo/batches.h"
 #include "tracer/transport/photon_history.h"
 #include "tracer/transport/planar_history.h"
+#include "tracer/transport/rank_sums.h"
 #include "tracer/transport/recording_history.h"
 #include "tracer/transport/trace_health.h"
 
@@ -31,32 +33,34 @@ std::optional<PlanarScene> planar_layers(const Scene& scene, TracePath path) {
   return layers;
 }
 
-using BatchResults = std::vector<std::unique_ptr<BatchSums>>;
-
 /// The batches, empty if it was stopped.
 template <typename History>
-BatchResults traced_batches(const Scene& scene, const History& history, const TraceOptions& options) {
+BatchResults traced_batches(const Scene& scene, const DensityField& density, const History& history,
+                            const TraceOptions& options) {
   BatchResults sums(options.batches);
   std::mutex progress_mutex;
   std::uint64_t done = 0;
-  const bool complete = core::run_batches(
+  core::RankGroup alone;
+  core::RankGroup& ranks = options.ranks != nullptr ? *options.ranks : alone;
+  const auto own = ranks.run_batches(
       options.batches, options.threads,
-      [&](std::size_t batch) {
+      [&](std::size_t batch, const std::stop_token& stop) {
         const core::BatchRange range = core::batch_range(batch, options.batches, options.photons);
         auto mine = std::make_unique<BatchSums>(scene);
         mine->viewer.seed(options.key, range.first);
         for (std::uint64_t i = 0; i < range.count; ++i) {
           // A long batch must not keep the user waiting after Ctrl-C.
-          if (i % 4096 == 0 && options.stop.stop_requested()) return;
+          if (i % 256 == 0 && stop.stop_requested()) return;
           history.run(options.key, range.first + i, *mine);
         }
         sums[batch] = std::move(mine);
         const std::lock_guard lock(progress_mutex);
-        done += range.count;
-        if (options.progress) options.progress(done);
+        done += range.count * static_cast<std::uint64_t>(ranks.count());  // the others are about as far
+        if (options.progress) options.progress(std::min(done, options.photons));
       },
-      options.stop);
-  if (!complete || options.stop.stop_requested()) sums.clear();
+      options.stop, agreement_on(scene, density, options));
+  if (!own) return {};
+  share_sums(ranks, *own, scene, sums, options.stop);
   return sums;
 }
 
@@ -81,8 +85,9 @@ TraceResult added(const Scene& scene, BatchResults sums, std::uint64_t photons) 
 }
 
 template <typename History>
-std::optional<TraceResult> traced(const Scene& scene, const History& history, const TraceOptions& options) {
-  BatchResults sums = traced_batches(scene, history, options);
+std::optional<TraceResult> traced(const Scene& scene, const DensityField& density, const History& history,
+                                  const TraceOptions& options) {
+  BatchResults sums = traced_batches(scene, density, history, options);
   if (sums.empty()) return std::nullopt;
   TraceResult result = added(scene, std::move(sums), options.photons);
   check_health(scene, result, options,
@@ -96,10 +101,10 @@ std::optional<TraceResult> recorded(const Scene& scene, const DensityField& dens
                                     const TraceOptions& options) {
   RecordingHistory<History> recording(history, options.photons / options.batches, options.batches,
                                       options.record_bytes);
-  auto result = traced(scene, recording, options);
+  auto result = traced(scene, density, recording, options);
   if (result) {
-    result->records =
-        std::make_shared<ArrivalRecords>(density, scene.luminance.bins(), options.threads, recording.take_logs());
+    result->records = std::make_shared<ArrivalRecords>(density, scene.luminance.bins(), options.threads,
+                                                       recording.take_logs(), options.ranks, options.stop);
   }
   return result;
 }
@@ -143,9 +148,9 @@ std::optional<TraceResult> trace(const Scene& scene, const DensityField& density
   const std::size_t most = ArrivalLog::kMostIndex;
   const bool record = options.record_bytes > 0 && scene.luminance.bins() <= most && density.cells.values.size() <= most;
   if (layers && record) return recorded(scene, density, PlanarRecordingHistory(scene, *layers, density), options);
-  if (layers) return traced(scene, PlanarHistory(scene, *layers, density), options);
+  if (layers) return traced(scene, density, PlanarHistory(scene, *layers, density), options);
   if (record) return recorded(scene, density, PhotonHistory(scene, density), options);
-  return traced(scene, PhotonHistory(scene, density), options);
+  return traced(scene, density, PhotonHistory(scene, density), options);
 }
 
 }  // namespace evenglow::tracer

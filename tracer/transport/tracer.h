@@ -9,6 +9,7 @@
 #include "core/config/config_node.h"
 #include "core/montecarlo/photon_rng.h"
 #include "core/montecarlo/tally.h"
+#include "core/parallel/ranks.h"
 #include "tracer/scene/density_field.h"
 #include "tracer/scene/scene.h"
 #include "tracer/transport/arrival_records.h"
@@ -58,6 +59,7 @@ struct TraceOptions {
   /// Bytes for records of histories (`ArrivalRecords`), of the first photons of each batch; 0: none. The numbers of the
   /// trace are the same with and without.
   std::size_t record_bytes = 0;
+  core::RankGroup* ranks = nullptr;  ///< that share the batches; null: this process alone
 };
 
 /// The next multiple of `batches` that is not less than `photons`.
