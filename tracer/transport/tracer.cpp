@@ -12,6 +12,8 @@
 #include "tracer/transport/planar_history.h"
 #include "tracer/transport/recording_history.h"
 #include "tracer/transport/trace_health.h"
+#include "tracer/transport/wavefront_history.h"
+#include "tracer/transport/wavefront_plate.h"
 
 namespace evenglow::tracer {
 namespace {
@@ -20,6 +22,13 @@ namespace {
 std::optional<PlanarScene> planar_layers(const Scene& scene, TracePath path) {
   if (path == TracePath::kGeneral) return std::nullopt;
   std::string reason;
+  if (path == TracePath::kWavefront && !wavefront_serves(scene, &reason)) {
+    throw core::Error(
+        fmt::format("trace.path: wavefront is for counted luminance in a stack of parallel layers over a flat, clear "
+                    "plate at one wavelength; this backlight is not of that kind: {}; allowed here: auto, planar, "
+                    "general",
+                    reason));
+  }
   auto layers = PlanarScene::of(scene, &reason);
   if (!layers && path == TracePath::kPlanar) {
     throw core::Error(
@@ -33,6 +42,20 @@ std::optional<PlanarScene> planar_layers(const Scene& scene, TracePath path) {
 
 using BatchResults = std::vector<std::unique_ptr<BatchSums>>;
 
+/// The photons of one batch; returns early when a stop is asked for.
+template <typename History>
+void run_range(const History& history, const TraceOptions& options, const core::BatchRange& range, BatchSums& sums) {
+  for (std::uint64_t i = 0; i < range.count; ++i) {
+    // A long batch must not keep the user waiting after Ctrl-C.
+    if (i % 4096 == 0 && options.stop.stop_requested()) return;
+    history.run(options.key, range.first + i, sums);
+  }
+}
+void run_range(const WavefrontHistory& history, const TraceOptions& options, const core::BatchRange& range,
+               BatchSums& sums) {
+  history.run(options.key, range, sums, options.stop);
+}
+
 /// The batches, empty if it was stopped.
 template <typename History>
 BatchResults traced_batches(const Scene& scene, const History& history, const TraceOptions& options) {
@@ -45,11 +68,7 @@ BatchResults traced_batches(const Scene& scene, const History& history, const Tr
         const core::BatchRange range = core::batch_range(batch, options.batches, options.photons);
         auto mine = std::make_unique<BatchSums>(scene);
         mine->viewer.seed(options.key, range.first);
-        for (std::uint64_t i = 0; i < range.count; ++i) {
-          // A long batch must not keep the user waiting after Ctrl-C.
-          if (i % 4096 == 0 && options.stop.stop_requested()) return;
-          history.run(options.key, range.first + i, *mine);
-        }
+        run_range(history, options, range, *mine);
         sums[batch] = std::move(mine);
         const std::lock_guard lock(progress_mutex);
         done += range.count;
@@ -106,19 +125,34 @@ std::optional<TraceResult> recorded(const Scene& scene, const DensityField& dens
 
 }  // namespace
 
+bool takes_wavefront(const Scene& scene, const TraceOptions& options) {
+  return options.path == TracePath::kWavefront && options.record_bytes == 0 && wavefront_serves(scene);
+}
+
 bool takes_planar_path(const Scene& scene, TracePath path) {
   return planar_layers(scene, path).has_value();
 }
+
+namespace {
+
+TracePath path_of(const std::string& name) {
+  if (name == "planar") return TracePath::kPlanar;
+  if (name == "general") return TracePath::kGeneral;
+  return name == "wavefront" ? TracePath::kWavefront : TracePath::kAuto;
+}
+
+}  // namespace
 
 TraceSpec read_trace(const core::ConfigNode& node) {
   TraceSpec spec = read_photons(node);
   const std::string path =
       node.choice({"path",
-                   "how flights are found: in closed form between parallel layers (planar), by ray "
-                   "tracing (general), or planar where the backlight allows it (auto)",
-                   {"auto", "planar", "general"},
+                   "how flights are found: in closed form between parallel layers (planar), the same for many "
+                   "photons at once (wavefront), by ray tracing (general), or planar where the backlight allows it "
+                   "(auto)",
+                   {"auto", "planar", "general", "wavefront"},
                    "auto"});
-  spec.path = path == "planar" ? TracePath::kPlanar : path == "general" ? TracePath::kGeneral : TracePath::kAuto;
+  spec.path = path_of(path);
   return spec;
 }
 
@@ -142,6 +176,7 @@ std::optional<TraceResult> trace(const Scene& scene, const DensityField& density
   const auto layers = planar_layers(scene, options.path);
   const std::size_t most = ArrivalLog::kMostIndex;
   const bool record = options.record_bytes > 0 && scene.luminance.bins() <= most && density.cells.values.size() <= most;
+  if (takes_wavefront(scene, options)) return traced(scene, WavefrontHistory(scene, *layers, density), options);
   if (layers && record) return recorded(scene, density, PlanarRecordingHistory(scene, *layers, density), options);
   if (layers) return traced(scene, PlanarHistory(scene, *layers, density), options);
   if (record) return recorded(scene, density, PhotonHistory(scene, density), options);
