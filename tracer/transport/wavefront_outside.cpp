@@ -1,23 +1,92 @@
 #include "tracer/transport/wavefront_outside.h"
 
+#include <cmath>
+#include <limits>
+
 #include "tracer/transport/planar_face.h"
 #include "tracer/transport/planar_wall.h"
 
 namespace evenglow::tracer {
 
-bool WavefrontOutside::start(Walk& walk, core::PhotonRng& rng, BatchSums& sums) {
+WavefrontOutside::WavefrontOutside(const Scene& scene, const PlanarScene& layout, const PhotonHistory& history,
+                                   const PlanarPlate& plate, const PlanarCells& cells)
+    : scene_(scene),
+      layout_(layout),
+      history_(history),
+      plate_(plate),
+      cells_(cells),
+      quad_below_(layout.wall(Side::kBottom)),
+      state_(plate) {
+  for (std::size_t side = 0; side < 4; ++side) clear_[side] = clear_before(static_cast<Side>(side));
+}
+
+double WavefrontOutside::clear_before(Side side) const {
+  const int wall = layout_.wall(side);
+  const int axis = axis_of(side);
+  double clear = std::numeric_limits<double>::infinity();
+  if (wall >= 0) {
+    const double at = scene_.caster->quads()[static_cast<std::size_t>(wall)].corner[axis];
+    clear = std::abs(at - plate_.box.plane(side)) + 1e-9;
+  }
+  for (const auto& source : scene_.spec.sources) {
+    if (source->side() == side) clear = std::min(clear, source->gap() + 1e-9);
+  }
+  return clear;
+}
+
+bool WavefrontOutside::start(Walk& walk, int& side, core::PhotonRng& rng, BatchSums& sums) {
   walk = history_.start(rng);
   walk.told = NextEvent::PatternTold::kDone;
   progress_ = {};
   if (plate_.pattern != nullptr) progress_.begin_pattern(rng);
-  return follow(where(walk), walk, rng, sums);
+  side = wall_ahead(walk.photon);
+  if (side < 0) return follow(where(walk), walk, rng, sums);
+  ++progress_.events;
+  walk.photon.body = plate_.body;
+  return true;
 }
 
-bool WavefrontOutside::go_on(LaneExit exit, int side, int part, Walk& walk, core::PhotonRng& rng, BatchSums& sums) {
-  return follow(leave(exit, side, part, walk, rng, sums), walk, rng, sums);
+int WavefrontOutside::wall_ahead(const Photon& photon) {
+  const core::Vec3& p = photon.position;
+  const core::Vec3& k = photon.light.frame.k;
+  if (photon.body >= 0 || !photon.light.is_unpolarized()) return -1;
+  const Box& box = plate_.box;
+  for (int axis = 0; axis < 2; ++axis) {
+    const bool below = p[axis] <= box.min[axis] && k[axis] > 0.0;
+    if (!below && !(p[axis] >= box.max[axis] && k[axis] < 0.0)) continue;
+    const int side = 2 * axis + (below ? 0 : 1);
+    if (!plate_.smooth[static_cast<std::size_t>(side)]) return -1;
+    const double before = std::abs(state_.plane(side) - p[axis]);
+    if (before > clear_[static_cast<std::size_t>(side)]) return -1;
+    const double way = before / std::abs(k[axis]);
+    const double across = p[1 - axis] + way * k[1 - axis];
+    const double z = p.z() + way * k.z();
+    const bool within = across > box.min[1 - axis] && across < box.max[1 - axis] && z > box.min.z() && z < box.max.z();
+    if (!within) return -1;
+    state_.x = axis == 0 ? state_.plane(side) : across;
+    state_.y = axis == 0 ? across : state_.plane(side);
+    state_.z = z;
+    state_.light.kx = k.x();
+    state_.light.ky = k.y();
+    state_.light.kz = k.z();
+    return side;
+  }
+  return -1;
 }
 
-WavefrontOutside::Place WavefrontOutside::leave(LaneExit exit, int side, int part, Walk& walk, core::PhotonRng& rng,
+void WavefrontOutside::escape(const core::Vec3& position, const core::Vec3& k, std::int64_t events, Walk& walk,
+                              BatchSums& sums) const {
+  sums.events[0] += static_cast<double>(events);
+  walk.photon.position = position;
+  walk.photon.light.frame.k = k;
+  history_.escape_by(Side::kTop, walk, sums);
+}
+
+bool WavefrontOutside::go_on(LaneExit exit, int side, Walk& walk, core::PhotonRng& rng, BatchSums& sums) {
+  return follow(leave(exit, side, walk, rng, sums), walk, rng, sums);
+}
+
+WavefrontOutside::Place WavefrontOutside::leave(LaneExit exit, int side, Walk& walk, core::PhotonRng& rng,
                                                 BatchSums& sums) {
   Photon& photon = walk.photon;
   walk.corner = -1;
@@ -25,18 +94,13 @@ WavefrontOutside::Place WavefrontOutside::leave(LaneExit exit, int side, int par
   switch (exit) {
     case LaneExit::kNone:
     case LaneExit::kEmpty:
-      break;
     case LaneExit::kAbsorbed:
-      sums.energy[scene_.energy.absorbed_bin(part)] += walk.weight.y();
-      return Place::kEnded;
+    case LaneExit::kEscaped:
+    case LaneExit::kArrives:
+      break;
     case LaneExit::kStuck:
       progress_.events = PhotonHistory::kMaxEvents;
       return Place::kAir;
-    case LaneExit::kEscaped:
-      photon.position = state_.position();
-      photon.light.frame.k = {state_.light.kx, state_.light.ky, state_.light.kz};
-      history_.escape(walk, sums);
-      return Place::kEnded;
     case LaneExit::kTop:
       state_.z = state_.plane(static_cast<int>(Side::kTop));
       state_.leave(photon, plate_quad(static_cast<int>(Side::kTop)), state_.light.stokes());

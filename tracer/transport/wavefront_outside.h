@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+
 #include "tracer/transport/photon_history.h"
 #include "tracer/transport/planar_cells.h"
 #include "tracer/transport/planar_plate.h"
@@ -18,25 +20,31 @@ class WavefrontOutside {
 
   /// The arguments must outlive it.
   WavefrontOutside(const Scene& scene, const PlanarScene& layout, const PhotonHistory& history,
-                   const PlanarPlate& plate, const PlanarCells& cells)
-      : scene_(scene),
-        layout_(layout),
-        history_(history),
-        plate_(plate),
-        cells_(cells),
-        quad_below_(layout.wall(Side::kBottom)),
-        state_(plate) {}
+                   const PlanarPlate& plate, const PlanarCells& cells);
 
-  /// A photon as its source emits it; true: it is in the plate, as `state` and `progress` tell; false: it has ended.
-  bool start(Walk& walk, core::PhotonRng& rng, BatchSums& sums);
-  /// A photon that has left the kernel at `exit`; its place and light are those of `state`, not of the walk.
-  bool go_on(LaneExit exit, int side, int part, Walk& walk, core::PhotonRng& rng, BatchSums& sums);
+  /// A photon as its source emits it. Where it comes straight to a smooth wall of the plate, as that of most sources
+  /// does, `side` is the wall, and `state` tells of the ray in air there; else it is followed, and `side` is -1.
+  /// False: it has ended. Else it is in the plate, as `state` and `progress` tell, or at that wall.
+  bool start(Walk& walk, int& side, core::PhotonRng& rng, BatchSums& sums);
+  /// A photon that has left the kernel through the top, above which there is nothing.
+  void escape(const core::Vec3& position, const core::Vec3& k, std::int64_t events, Walk& walk, BatchSums& sums) const;
+  /// A photon that was absorbed in the kernel's hands.
+  void absorb(int part, std::int64_t events, const Walk& walk, BatchSums& sums) const {
+    sums.energy[scene_.energy.absorbed_bin(part)] += walk.weight.y();
+    sums.events[0] += static_cast<double>(events);
+  }
+  /// A photon that has left the kernel at `exit`, neither absorbed nor escaped; its place and light are those of `state`, not of the walk.
+  bool go_on(LaneExit exit, int side, Walk& walk, core::PhotonRng& rng, BatchSums& sums);
 
   PlanarPlateState<MeridianLight>& state() { return state_; }
   PlanarProgress& progress() { return progress_; }
 
  private:
-  Place leave(LaneExit exit, int side, int part, Walk& walk, core::PhotonRng& rng, BatchSums& sums);
+  /// How far from the wall of a side a source may be for nothing to be between, mm.
+  double clear_before(Side side) const;
+  /// The smooth wall that a photon from a source meets first, -1: unknown. Then its place is the state's.
+  int wall_ahead(const Photon& photon);
+  Place leave(LaneExit exit, int side, Walk& walk, core::PhotonRng& rng, BatchSums& sums);
   bool follow(Place place, Walk& walk, core::PhotonRng& rng, BatchSums& sums);
   Place step(Walk& walk, core::PhotonRng& rng, BatchSums& sums);
   Place enter(Walk& walk, const RayHit& hit, int side, core::PhotonRng& rng, BatchSums& sums);
@@ -59,6 +67,7 @@ class WavefrontOutside {
   const PlanarPlate& plate_;
   const PlanarCells& cells_;
   int quad_below_;  ///< of the sheet below the plate
+  std::array<double, 4> clear_{};  ///< `clear_before` of each wall
   PlanarPlateState<MeridianLight> state_;
   PlanarProgress progress_;
 };

@@ -14,7 +14,7 @@ struct FlatReflector {
   double gap = 0.0;  ///< mm of air up to it
 };
 
-/// The plate as the kernel sees it; arrays of walls by side, 0 to 3, with room for gathers of eight.
+/// The plate as the kernel sees it; arrays of walls by side, 0 to 3.
 struct PlateConstants {
   double min_x = 0.0, max_x = 0.0, min_y = 0.0, max_y = 0.0, min_z = 0.0, max_z = 0.0;  ///< mm
   double index = 1.5, per_index = 1.0 / 1.5;
@@ -30,8 +30,8 @@ struct PlateConstants {
   FlatReflector below;    ///< the sheet below the plate
 
   bool all_smooth = true;
-  std::array<double, 8> smooth{};  ///< 1: this wall is a smooth face
-  std::array<double, 8> backing_known{}, backing_reflectance{}, backing_mirrored{}, backing_part{}, backing_gap{};
+  std::array<double, 4> smooth{};  ///< 1: this wall is a smooth face
+  std::array<double, 4> backing_known{}, backing_reflectance{}, backing_mirrored{}, backing_part{}, backing_gap{};
 
   // Cells of the density: nearest cell to x, y is ((x - x0) per_x, (y - y0) per_y), rounded down.
   double x0 = 0.0, y0 = 0.0, per_x = 1.0, per_y = 1.0;

@@ -29,6 +29,19 @@ void step_groups(const PlateConstants& plate, PlateLanes* groups, std::size_t co
   }
 }
 
+void enter_group(const PlateConstants& plate, PlateLanes& group) {
+  for (std::size_t i = 0; i < kLanes; i += hn::Lanes(Tag())) {
+    State state(group, i);
+    const Word arrives = hn::Set(WordTag(), static_cast<std::uint64_t>(LaneExit::kArrives));
+    const Lanes active = hn::RebindMask(Tag(), hn::BitCast(WordTag(), state.exit) == arrives);
+    if (!any(active)) continue;
+    state.leave(active, LaneExit::kNone);
+    state.light.forget(active);
+    WallStep(plate, state, active, state.side < all(2.0)).meet_from_outside();
+    state.store(group, i, active);
+  }
+}
+
 }  // namespace evenglow::tracer::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
@@ -36,9 +49,14 @@ HWY_AFTER_NAMESPACE();
 namespace evenglow::tracer {
 
 HWY_EXPORT(step_groups);
+HWY_EXPORT(enter_group);
 
 void step_plate(const PlateConstants& plate, PlateLanes* groups, std::size_t count) {
   HWY_DYNAMIC_DISPATCH(step_groups)(plate, groups, count);
+}
+
+void enter_plate(const PlateConstants& plate, PlateLanes& group) {
+  HWY_DYNAMIC_DISPATCH(enter_group)(plate, group);
 }
 
 std::vector<std::int64_t> instruction_sets() {

@@ -17,6 +17,9 @@ namespace evenglow::tracer {
 /// Only sums, products, quotients and roots in one order, none of them contracted: same bits by any instruction set.
 void step_plate(const PlateConstants& plate, PlateLanes* groups, std::size_t count);
 
+/// Lets in, or reflects (kWall), the lanes whose exit is kArrives.
+void enter_plate(const PlateConstants& plate, PlateLanes& group);
+
 /// The instruction sets that this program has code for and this machine knows, widest first: bits for
 /// `force_instruction_set`.
 std::vector<std::int64_t> instruction_sets();

@@ -26,6 +26,7 @@ enum class LaneExit : std::uint64_t {
   kBacking,         ///< in air at the reflector behind the wall `side`, coming from it
   kPattern,         ///< inside at the pattern, which it meets: nothing has happened there yet
   kPatternOutside,  ///< in air at the pattern, which it meets from outside: nothing has happened there yet
+  kArrives,         ///< natural light in air at the smooth wall `side`, to be let in by `enter_plate`
 };
 
 using LaneNumbers = std::array<double, kLanes>;
@@ -44,5 +45,15 @@ struct alignas(64) PlateLanes {
   LaneNumbers part{};                      ///< that absorbs (kAbsorbed)
   LaneNumbers side{};                      ///< wall: 0 to 3
 };
+
+inline void copy_lane(const PlateLanes& from, std::size_t i, PlateLanes& to, std::size_t j) {
+  constexpr LaneNumbers PlateLanes::*kNumbers[] = {
+      &PlateLanes::x,     &PlateLanes::y,      &PlateLanes::z,    &PlateLanes::kx,     &PlateLanes::ky,  &PlateLanes::kz,
+      &PlateLanes::I,     &PlateLanes::Q,      &PlateLanes::U,    &PlateLanes::V,      &PlateLanes::depth,
+      &PlateLanes::missed, &PlateLanes::fate, &PlateLanes::events, &PlateLanes::part, &PlateLanes::side};
+  for (const auto numbers : kNumbers) (to.*numbers)[j] = (from.*numbers)[i];
+  for (std::size_t word = 0; word < 4; ++word) to.random[word][j] = from.random[word][i];
+  to.exit[j] = from.exit[i];
+}
 
 }  // namespace evenglow::tracer

@@ -25,14 +25,14 @@ class WallStep {
         n_(all(plate.index)),
         sign_(pick(x_wall, all(1.0), all(-1.0))),
         kn_(pick(x_wall, s.kx, s.ky)),
-        kt_(pick(x_wall, s.ky, s.kx)) {}
+        kt_(pick(x_wall, s.ky, s.kx)),
+        upper_(kn_ > all(0.0)) {}
 
   /// Two uniform numbers.
   HWY_INLINE void meet(Number u, Number u1) {
-    const Lanes upper = kn_ > all(0.0);
-    const Number side = pick(x_wall_, all(0.0), all(2.0)) + hn::IfThenElseZero(upper, all(1.0));
+    const Number side = pick(x_wall_, all(0.0), all(2.0)) + hn::IfThenElseZero(upper_, all(1.0));
     s_.side = pick(lanes_, side, s_.side);
-    const Number plane = pick(x_wall_, pick(upper, all(p_.max_x), all(p_.min_x)), pick(upper, all(p_.max_y), all(p_.min_y)));
+    const Number plane = pick(x_wall_, pick(upper_, all(p_.max_x), all(p_.min_x)), pick(upper_, all(p_.max_y), all(p_.min_y)));
     s_.x = pick(hn::And(lanes_, x_wall_), plane, s_.x);
     s_.y = pick(but_not(lanes_, x_wall_), plane, s_.y);
     leave_rough_walls();
@@ -60,17 +60,23 @@ class WallStep {
       s_.kz = pick(back, inside_z, s_.kz);
       s_.light.turn_frame(back, turn);
     }
+    aim();
+  }
+
+  /// From outside: the lanes are natural light in air at the wall `side`, which is smooth.
+  HWY_INLINE void meet_from_outside() {
+    enter(lanes_);
+    aim();
+  }
+
+ private:
+  HWY_INLINE void aim() {
     s_.kx = pick(lanes_, pick(x_wall_, kn_, kt_), s_.kx);
     s_.ky = pick(lanes_, pick(x_wall_, kt_, kn_), s_.ky);
   }
 
- private:
-  HWY_INLINE Number of_wall(const std::array<double, 8>& values) const {
-    const hn::RebindToSigned<Tag> index;
-    const Number shift = all(0x1.0p52);
-    const Number side = hn::IfThenElseZero(lanes_, s_.side);
-    return hn::GatherIndex(Tag(), values.data(),
-                           hn::Xor(hn::BitCast(index, side + shift), hn::BitCast(index, shift)));
+  HWY_INLINE Number of_wall(const std::array<double, 4>& values) const {
+    return pick(x_wall_, pick(upper_, all(values[1]), all(values[0])), pick(upper_, all(values[3]), all(values[2])));
   }
 
   HWY_INLINE void leave_rough_walls() {
@@ -91,7 +97,8 @@ class WallStep {
   HWY_INLINE Lanes mirrored_back(Lanes passed, const Amplitudes& amplitudes, Number u) {
     const Lanes known = hn::And(passed, of_wall(p_.backing_known) != all(0.0));
     const Number gap = of_wall(p_.backing_gap);
-    const Lanes there = cross_gap(known, gap);
+    const Number way = gap / hn::Max(hn::Abs(kn_), all(1e-90));
+    const Lanes there = cross_gap(known, way);
     s_.leave(but_not(passed, there), LaneExit::kWall);
     s_.count(there, all(1.0));
     const Lanes kept = hn::And(there, u < of_wall(p_.backing_reflectance));
@@ -101,7 +108,7 @@ class WallStep {
     if (any(scattered)) scatter_back(scattered, gap);
     s_.light.mirror(mirrored);
     kn_ = pick(mirrored, hn::Neg(kn_), kn_);
-    const Lanes back = cross_gap(mirrored, gap);
+    const Lanes back = cross_gap(mirrored, way);
     s_.leave(but_not(mirrored, back), LaneExit::kBacking);
     s_.count(back, all(1.0));
     const Number again = s_.random.uniform(back);
@@ -121,9 +128,14 @@ class WallStep {
     kn_ = pick(lanes, hn::CopySignToAbs(d.z, hn::Neg(kn_)), kn_);
     kt_ = pick(lanes, d.x, kt_);
     s_.kz = pick(lanes, d.y, s_.kz);
-    const Lanes there = cross_gap(lanes, gap);
+    const Lanes there = cross_gap(lanes, gap / hn::Max(hn::Abs(kn_), all(1e-90)));
     s_.leave(but_not(lanes, there), LaneExit::kBacking);
     s_.count(there, all(1.0));
+    enter(there);
+  }
+
+  /// Light in air that has come to the wall.
+  HWY_INLINE void enter(Lanes there) {
     const Number index = all(p_.per_index);
     const Face face(hn::Abs(kn_), index);
     const Amplitudes amplitudes(face.c, face.root, index);
@@ -141,16 +153,16 @@ class WallStep {
     s_.light.turn_frame(inside, {turn.re, hn::Neg(turn.im)});
   }
 
-  /// Those that get across before they leave what lies before the plate; the others stay where they are.
-  HWY_INLINE Lanes cross_gap(Lanes lanes, Number gap) {
-    const Number way = gap / hn::Max(hn::Abs(kn_), all(1e-90));
+  /// Along the ray for `way` (mm): those that get across before they leave what lies before the plate. The others stay
+  /// where they are.
+  HWY_INLINE Lanes cross_gap(Lanes lanes, Number way) {
     const Number t = pick(x_wall_, s_.y, s_.x) + kt_ * way;
     const Number z = s_.z + s_.kz * way;
     const Number min_t = pick(x_wall_, all(p_.min_y), all(p_.min_x));
     const Number max_t = pick(x_wall_, all(p_.max_y), all(p_.max_x));
     const Lanes in_t = hn::And(t > min_t, t < max_t);
     const Lanes in_z = hn::And(z > all(p_.min_z), z < all(p_.max_z));
-    const Lanes crossed = hn::And(lanes, hn::Or(gap == all(0.0), hn::And(in_t, in_z)));
+    const Lanes crossed = hn::And(lanes, hn::Or(way == all(0.0), hn::And(in_t, in_z)));
     s_.x = pick(but_not(crossed, x_wall_), t, s_.x);
     s_.y = pick(hn::And(crossed, x_wall_), t, s_.y);
     s_.z = pick(crossed, z, s_.z);
@@ -161,6 +173,7 @@ class WallStep {
   State& s_;
   Lanes lanes_, x_wall_;
   Number n_, sign_, kn_, kt_;
+  Lanes upper_;  ///< is it the wall of the greater x or y, for light from inside?
 };
 
 }  // namespace evenglow::tracer::HWY_NAMESPACE

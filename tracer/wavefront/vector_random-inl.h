@@ -80,20 +80,15 @@ HWY_INLINE Direction lambertian(Number u1, Number u2) {
   const Number quarter = hn::Floor(all(4.0) * u2 + all(0.5));
   const Number a = (u2 - all(0.25) * quarter) * all(6.283185307179586476925);
   const Number a2 = a * a;
-  Number c = all(1.0 / 479001600) - a2 * all(1.0 / 87178291200.0);
-  c = all(-1.0 / 3628800) + a2 * c;
-  c = all(1.0 / 40320) + a2 * c;
-  c = all(-1.0 / 720) + a2 * c;
-  c = all(1.0 / 24) + a2 * c;
-  c = all(-0.5) + a2 * c;
-  c = all(1.0) + a2 * c;
-  Number s = all(1.0 / 6227020800.0) - a2 * all(1.0 / 1307674368000.0);
-  s = all(-1.0 / 39916800) + a2 * s;
-  s = all(1.0 / 362880) + a2 * s;
-  s = all(-1.0 / 5040) + a2 * s;
-  s = all(1.0 / 120) + a2 * s;
-  s = all(-1.0 / 6) + a2 * s;
-  s = a * (all(1.0) + a2 * s);
+  // Both series in pairs of terms, so that they do not wait for each other.
+  const Number a4 = a2 * a2;
+  const Number a8 = a4 * a4;
+  const auto pair = [a2](double low, double high) HWY_ATTR { return all(low) + all(high) * a2; };
+  const Number c = (pair(1.0, -0.5) + pair(1.0 / 24, -1.0 / 720) * a4) +
+                   (pair(1.0 / 40320, -1.0 / 3628800) + pair(1.0 / 479001600, -1.0 / 87178291200.0) * a4) * a8;
+  const Number s =
+      a * ((pair(1.0, -1.0 / 6) + pair(1.0 / 120, -1.0 / 5040) * a4) +
+           (pair(1.0 / 362880, -1.0 / 39916800) + pair(1.0 / 6227020800.0, -1.0 / 1307674368000.0) * a4) * a8);
   const Lanes odd = hn::Or(quarter == all(1.0), quarter == all(3.0));
   const Lanes left = hn::Or(quarter == all(1.0), quarter == all(2.0));
   const Lanes lower = hn::Or(quarter == all(2.0), quarter == all(3.0));
