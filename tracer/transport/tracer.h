@@ -16,8 +16,8 @@
 namespace evenglow::tracer {
 
 /// How flights are found. `kPlanar`: in closed form, for a stack of parallel layers (`PlanarScene`); `kGeneral`: by ray
-/// tracing, for any scene; `kWavefront`: as planar, many photons at once (`WavefrontHistory`); `kAuto`: the fastest that
-/// the scene allows. The physics is the same.
+/// tracing, for any scene; `kWavefront`: as planar, many photons at once (`WavefrontHistory`); `kAuto`: the fastest
+/// that the scene allows. The physics is the same.
 enum class TracePath { kAuto, kPlanar, kGeneral, kWavefront };
 
 /// How a backlight is traced; the map `trace` of the run file.

@@ -151,8 +151,8 @@ class Batch {
   PlateLanes start_;  ///< photons that wait for a lane
   std::array<Walk, kLanes> start_walks_;
   std::size_t waiting_ = 0, launched_ = 0;  ///< so many of them; so many of these have a lane
-  std::vector<Walk> walks_;  ///< of each lane; without place and light while it is in the plate
-  std::size_t busy_ = 0;     ///< lanes with a photon
+  std::vector<Walk> walks_;                 ///< of each lane; without place and light while it is in the plate
+  std::size_t busy_ = 0;                    ///< lanes with a photon
 };
 
 }  // namespace

@@ -33,7 +33,8 @@ class WavefrontOutside {
     sums.energy[scene_.energy.absorbed_bin(part)] += walk.weight.y();
     sums.events[0] += static_cast<double>(events);
   }
-  /// A photon that has left the kernel at `exit`, neither absorbed nor escaped; its place and light are those of `state`, not of the walk.
+  /// A photon that has left the kernel at `exit`, neither absorbed nor escaped; its place and light are those of
+  /// `state`, not of the walk.
   bool go_on(LaneExit exit, int side, Walk& walk, core::PhotonRng& rng, BatchSums& sums);
 
   PlanarPlateState<MeridianLight>& state() { return state_; }
@@ -66,7 +67,7 @@ class WavefrontOutside {
   const PhotonHistory& history_;
   const PlanarPlate& plate_;
   const PlanarCells& cells_;
-  int quad_below_;  ///< of the sheet below the plate
+  int quad_below_;                 ///< of the sheet below the plate
   std::array<double, 4> clear_{};  ///< `clear_before` of each wall
   PlanarPlateState<MeridianLight> state_;
   PlanarProgress progress_;

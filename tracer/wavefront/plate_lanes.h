@@ -48,9 +48,10 @@ struct alignas(64) PlateLanes {
 
 inline void copy_lane(const PlateLanes& from, std::size_t i, PlateLanes& to, std::size_t j) {
   constexpr LaneNumbers PlateLanes::*kNumbers[] = {
-      &PlateLanes::x,     &PlateLanes::y,      &PlateLanes::z,    &PlateLanes::kx,     &PlateLanes::ky,  &PlateLanes::kz,
-      &PlateLanes::I,     &PlateLanes::Q,      &PlateLanes::U,    &PlateLanes::V,      &PlateLanes::depth,
-      &PlateLanes::missed, &PlateLanes::fate, &PlateLanes::events, &PlateLanes::part, &PlateLanes::side};
+      &PlateLanes::x,    &PlateLanes::y,      &PlateLanes::z,     &PlateLanes::kx,
+      &PlateLanes::ky,   &PlateLanes::kz,     &PlateLanes::I,     &PlateLanes::Q,
+      &PlateLanes::U,    &PlateLanes::V,      &PlateLanes::depth, &PlateLanes::missed,
+      &PlateLanes::fate, &PlateLanes::events, &PlateLanes::part,  &PlateLanes::side};
   for (const auto numbers : kNumbers) (to.*numbers)[j] = (from.*numbers)[i];
   for (std::size_t word = 0; word < 4; ++word) to.random[word][j] = from.random[word][i];
   to.exit[j] = from.exit[i];

@@ -1,6 +1,6 @@
 // One step of eight photons in the plate. Included once for each instruction set.
-#include "tracer/wavefront/plate_constants.h"
 #include "tracer/wavefront/lane_state-inl.h"
+#include "tracer/wavefront/plate_constants.h"
 #include "tracer/wavefront/plate_wall-inl.h"
 
 #if defined(EVENGLOW_PLATE_STEP_INL_H) == defined(HWY_TARGET_TOGGLE)

@@ -32,7 +32,8 @@ class WallStep {
   HWY_INLINE void meet(Number u, Number u1) {
     const Number side = pick(x_wall_, all(0.0), all(2.0)) + hn::IfThenElseZero(upper_, all(1.0));
     s_.side = pick(lanes_, side, s_.side);
-    const Number plane = pick(x_wall_, pick(upper_, all(p_.max_x), all(p_.min_x)), pick(upper_, all(p_.max_y), all(p_.min_y)));
+    const Number plane =
+        pick(x_wall_, pick(upper_, all(p_.max_x), all(p_.min_x)), pick(upper_, all(p_.max_y), all(p_.min_y)));
     s_.x = pick(hn::And(lanes_, x_wall_), plane, s_.x);
     s_.y = pick(but_not(lanes_, x_wall_), plane, s_.y);
     leave_rough_walls();

@@ -55,7 +55,7 @@ struct Stokes {
   }
   /// Keeps the unit within the range of numbers.
   HWY_INLINE void rescale() {
-    const Lanes far = hn::Or(I < all(1e-60), I > all(1e60));
+    const Lanes far = hn::Or(I<all(1e-60), I> all(1e60));
     if (HWY_LIKELY(!any(far))) return;
     const Number inverse = all(1.0) / I;
     Q = pick(far, Q * inverse, Q);

@@ -41,10 +41,10 @@ TEST(WavefrontPlate, TellsWhyItDoesNotServe) {
 }
 
 TEST(WavefrontPlate, RefusesInOneLine) {
-  const Scene scene =
-      scene_of("light_guide_plate: {length_mm: 20, width_mm: 10, end_thickness_mm: 0.4}, sources: [{kind: "
-               "lambertian_face, face: left}], " +
-               kCounted);
+  const Scene scene = scene_of(
+      "light_guide_plate: {length_mm: 20, width_mm: 10, end_thickness_mm: 0.4}, sources: [{kind: "
+      "lambertian_face, face: left}], " +
+      kCounted);
   TraceOptions options;
   options.photons = options.batches = 10;
   options.path = TracePath::kWavefront;

@@ -189,8 +189,8 @@ TEST(PlateKernel, LetsInNaturalLightByTheFresnelShareOfEachAngle) {
   const double cosine = 0.4;
   const PlateFresnel face(cosine, 1.0, plate.index);
   const double sums = face.p_sum * face.s_sum;
-  const double share = 1.0 - 0.5 * (face.p_reflected * face.p_reflected + face.s_reflected * face.s_reflected) /
-                                 (sums * sums);
+  const double share =
+      1.0 - 0.5 * (face.p_reflected * face.p_reflected + face.s_reflected * face.s_reflected) / (sums * sums);
   double inside = 0.0;
   const std::uint64_t photons = 80'000;
   for (std::uint64_t first = 0; first < photons; first += kLanes) {
