@@ -1,8 +1,10 @@
 #include "tracer/wavefront/plate_kernel.h"
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -179,6 +181,143 @@ TEST(PlateKernel, TotalReflectionsTurnTheLightAsTheScalarPathDoes) {
     }
   }
   EXPECT_GT(walls, 100);
+}
+
+MeridianLight light_of(const PlateLanes& lanes, std::size_t i) {
+  MeridianLight light;
+  light.kx = lanes.kx[i];
+  light.ky = lanes.ky[i];
+  light.kz = lanes.kz[i];
+  light.I = lanes.I[i];
+  light.Q = lanes.Q[i];
+  light.U = lanes.U[i];
+  light.V = lanes.V[i];
+  return light;
+}
+
+double distance(const MeridianLight& a, const MeridianLight& b) {
+  return std::hypot(a.Q / a.I - b.Q / b.I, a.U / a.I - b.U / b.I, a.V / a.I - b.V / b.I) +
+         std::hypot(a.kx - b.kx, a.ky - b.ky, a.kz - b.kz);
+}
+
+/// Light before a wall that lets it out to a perfect mirror which touches it: either the wall reflects it, or it passes
+/// the wall twice. Both outcomes from the formulas of the scalar path.
+TEST(PlateKernel, WallsAndMirrorsBehindThemKeepTheCountOfTheLight) {
+  PlateConstants plate;
+  plate.max_x = 30.0;
+  plate.max_y = 20.0;
+  plate.max_z = plate.height = 2.0;
+  plate.per_height = 0.5;
+  plate.per_absorption = 1e300;
+  plate.smooth = plate.backing_known = plate.backing_reflectance = plate.backing_mirrored = {1.0, 1.0, 1.0, 1.0};
+  int reflected = 0, mirrored = 0;
+  for (std::uint64_t first = 0; first < 1600; first += kLanes) {
+    PlateLanes before = random_lanes(first);
+    for (std::size_t i = 0; i < kLanes; ++i) {  // in the wall's plane, so that no other face comes first
+      const bool x_wall = i % 2 == 0;
+      before.x[i] = x_wall ? 30.0 : 15.0;
+      before.y[i] = x_wall ? 10.0 : 20.0;
+      before.z[i] = 1.0;
+      if (x_wall) before.kx[i] = std::abs(before.kx[i]);
+      if (!x_wall) before.ky[i] = std::abs(before.ky[i]);
+    }
+    PlateLanes after = before;
+    step_plate(plate, &after, 1);
+    for (std::size_t i = 0; i < kLanes; ++i) {
+      const bool x_wall = i % 2 == 0;
+      MeridianLight light = light_of(before, i);
+      double& kn = x_wall ? light.kx : light.ky;
+      const PlateFresnel wall(std::abs(kn), plate.index, 1.0);
+      if (wall.total || after.exit[i] != 0) continue;
+      const WallTurn turn(kn, x_wall ? light.ky : light.kx, light.kz, x_wall ? 1.0 : -1.0);
+      light.turn_frame(turn.cos2, turn.sin2);
+      kn = -kn;
+      MeridianLight returned = light;
+      wall.reflect(returned);
+      returned.turn_frame(turn.cos2, turn.sin2);
+      wall.pass(light);
+      light.mirror();
+      wall.pass(light);
+      light.turn_frame(turn.cos2, turn.sin2);
+      const MeridianLight found = light_of(after, i);
+      const bool by_wall = after.events[i] == 1.0;
+      EXPECT_LT(distance(found, by_wall ? returned : light), 1e-10);
+      ++(by_wall ? reflected : mirrored);
+    }
+  }
+  EXPECT_GT(reflected, 10);
+  EXPECT_GT(mirrored, 200);
+}
+
+/// The pattern as a perfect mirror, at each arrival: the light is turned as at an ideal mirror.
+TEST(PlateKernel, MirrorsThatArePrintedKeepTheCountOfTheLight) {
+  PlateConstants plate;
+  plate.max_x = plate.max_y = 1000.0;
+  plate.max_z = plate.height = 2.0;
+  plate.per_height = 0.5;
+  plate.per_absorption = 1e300;
+  plate.smooth = {1.0, 1.0, 1.0, 1.0};
+  plate.pattern_side = 4;
+  plate.dots = {1.0, 1.0, 1.0, 0.0, 0.0};
+  plate.open = {0.0};
+  for (std::uint64_t first = 0; first < 160; first += kLanes) {
+    PlateLanes before = random_lanes(first);
+    for (std::size_t i = 0; i < kLanes; ++i) {
+      before.x[i] = before.y[i] = 500.0;
+      before.kz[i] = -std::abs(before.kz[i]) - 0.01;
+    }
+    PlateLanes after = before;
+    step_plate(plate, &after, 1);
+    for (std::size_t i = 0; i < kLanes; ++i) {
+      MeridianLight light = light_of(before, i);
+      light.mirror();
+      light.kz = -light.kz;
+      EXPECT_EQ(distance(light_of(after, i), light), 0.0);
+      EXPECT_EQ(after.z[i], 0.0);
+      EXPECT_EQ(after.missed[i], 1.0);
+      EXPECT_NE(after.fate[i], before.fate[i]);
+    }
+  }
+}
+
+/// Cells that are either bare or full: the light meets the pattern at its first arrival at a full cell, found here by
+/// going from arrival to arrival.
+TEST(PlateKernel, MeetsThePatternInTheCellWhereItIs) {
+  PlateConstants plate = plate_with_everything();
+  plate.absorption = 0.0;
+  plate.per_absorption = 1e300;
+  plate.dots.known = 0.0;
+  for (std::size_t i = 0; i < plate.open.size(); ++i) plate.open[i] = (i * i) % 7 == 2 ? 0.0 : 1.0;
+  int met = 0, passed = 0;
+  for (std::uint64_t first = 0; first < 1600; first += kLanes) {
+    const PlateLanes before = random_lanes(first);
+    PlateLanes after = before;
+    step_plate(plate, &after, 1);
+    for (std::size_t i = 0; i < kLanes; ++i) {
+      const double kx = before.kx[i], ky = before.ky[i], slope = std::abs(before.kz[i]);
+      if (1.5 * 1.5 * (1.0 - slope * slope) < 1.0) continue;  // not totally reflected
+      const double to_x = (kx > 0.0 ? 30.0 - before.x[i] : before.x[i]) / std::abs(kx);
+      const double to_y = (ky > 0.0 ? 20.0 - before.y[i] : before.y[i]) / std::abs(ky);
+      double way = (before.kz[i] < 0.0 ? before.z[i] : 4.0 - before.z[i]) / slope;
+      bool meets = false;
+      double x = 0.0, y = 0.0;
+      for (; way < std::min(to_x, to_y) && !meets; way += 4.0 / slope) {
+        x = before.x[i] + kx * way;
+        y = before.y[i] + ky * way;
+        meets = plate.open[static_cast<std::size_t>(y / 2.0) * 15 + static_cast<std::size_t>(x / 2.0)] == 0.0;
+      }
+      ASSERT_EQ(after.exit[i] == static_cast<std::uint64_t>(LaneExit::kPattern), meets);
+      if (meets) {
+        EXPECT_NEAR(after.x[i], x, 1e-9);
+        EXPECT_NEAR(after.y[i], y, 1e-9);
+        EXPECT_EQ(after.z[i], 0.0);
+        EXPECT_LT(after.kz[i], 0.0);
+      }
+      ++(meets ? met : passed);
+    }
+  }
+  EXPECT_GT(met, 100);
+  EXPECT_GT(passed, 100);
 }
 
 TEST(PlateKernel, LetsInNaturalLightByTheFresnelShareOfEachAngle) {
