@@ -28,6 +28,11 @@ class PhotonRng {
     state_[0] |= static_cast<std::uint64_t>((state_[0] | state_[1] | state_[2] | state_[3]) == 0);  // 0 would stay 0
   }
 
+  using State = std::array<std::uint64_t, 4>;
+  /// Goes on where the generator with this state (`state`) was.
+  explicit PhotonRng(const State& state) : state_(state) {}
+  const State& state() const { return state_; }
+
   /// Uniform in the open interval (0, 1), 53 bits.
   double uniform() { return (static_cast<double>(next() >> 11) + 0.5) * 0x1.0p-53; }
 
@@ -44,7 +49,7 @@ class PhotonRng {
     return result;
   }
 
-  std::array<std::uint64_t, 4> state_;
+  State state_;
 };
 
 }  // namespace evenglow::core

@@ -49,10 +49,11 @@ const HouseRules& house() {
               {"tracer/scene",
                {"tracer/geometry", "tracer/optics", "tracer/polarized_bsdf", "tracer/films", "tracer/microstructure",
                 "tracer/sources", "tracer/receivers", "core/config", "core/light", "core/math"}},
+              {"tracer/wavefront", {}},
               {"tracer/transport",
                {"tracer/scene", "tracer/geometry", "tracer/optics", "tracer/films", "tracer/microstructure",
-                "tracer/sources", "tracer/receivers", "core/config", "core/light", "core/math", "core/montecarlo",
-                "core/parallel"}},
+                "tracer/sources", "tracer/receivers", "tracer/wavefront", "core/config", "core/light", "core/math",
+                "core/montecarlo", "core/parallel"}},
               {"tracer/goniometer",
                {"tracer/films", "tracer/optics", "tracer/polarized_bsdf", "core/config", "core/light", "core/math",
                 "core/montecarlo"}},
@@ -86,6 +87,7 @@ const HouseRules& house() {
               {"OpenSSL", {"openssl/"}, {"core/base/sha256.cpp"}},
               {"Random123", {"Random123/"}, {"core/montecarlo/"}},
               {"Embree", {"embree"}, {"tracer/geometry/ray_caster.cpp"}},
+              {"Highway", {"hwy/"}, {"tracer/wavefront/"}},
               {"Ceres", {"ceres/", "glog/"}, {"design/updaters/coarse_newton_updater.cpp", "tracer/polarized_bsdf/"}},
               {"HDF5", {"hdf5.h", "H5"}, {"tracer/polarized_bsdf/hdf5_"}},
               {"NLopt",
@@ -206,6 +208,7 @@ TEST(IncludeRules, FindsLibrariesOutsideTheirDoorOrWithout) {
 
 TEST(IncludeRules, FindsAWrongHead) {
   EXPECT_THAT(faults_of("core/light/a.h", "#include <vector>\n#pragma once\n"), ElementsAre(HasSubstr("#pragma once")));
+  EXPECT_THAT(faults_of("core/light/a-inl.h", "#include <vector>\n"), IsEmpty());
   EXPECT_THAT(include_faults({{"core/light/a.h", "#pragma once\n"},
                               {"core/light/a.cpp", "#include <vector>\n#include \"core/light/a.h\"\n"}},
                              small_house()),

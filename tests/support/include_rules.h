@@ -36,8 +36,8 @@ struct HouseRules {
 };
 
 /// One line for each fault, `path:line: what`: an include that runs up, a folder the table does not allow, a library
-/// outside its door or unknown, a header without `#pragma once` at its head, a .cpp whose own header is not its first
-/// include.
+/// outside its door or unknown, a header (but for `-inl.h`) without `#pragma once` at its head, a .cpp whose own header
+/// is not its first include.
 std::vector<std::string> include_faults(const SourceTree& sources, const HouseRules& rules);
 
 /// Faults of the table itself: an entry that points up, or two folders that may use each other (a circle).

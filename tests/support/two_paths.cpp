@@ -19,6 +19,11 @@ constexpr double kFewPhotons = 50.0;
 }  // namespace
 
 TwoPaths traced_by_both(const tracer::Scene& scene, const tracer::DensityField& density, const TraceSetup& setup) {
+  return traced_by(tracer::TracePath::kGeneral, tracer::TracePath::kPlanar, scene, density, setup);
+}
+
+TwoPaths traced_by(tracer::TracePath first, tracer::TracePath second, const tracer::Scene& scene,
+                   const tracer::DensityField& density, const TraceSetup& setup) {
   const auto run = [&](tracer::TracePath path, std::uint64_t seed) {
     tracer::TraceOptions options;
     options.photons = tracer::whole_batches(setup.photons, setup.batches);
@@ -30,7 +35,7 @@ TwoPaths traced_by_both(const tracer::Scene& scene, const tracer::DensityField& 
     core::expects(result.has_value(), "nobody stops the trace of a test");
     return std::move(*result);
   };
-  return {run(tracer::TracePath::kGeneral, setup.seed), run(tracer::TracePath::kPlanar, setup.seed + 1)};
+  return {run(first, setup.seed), run(second, setup.seed + 1)};
 }
 
 PathDifference difference_of(const tracer::Scene& scene, const TwoPaths& paths) {

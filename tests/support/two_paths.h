@@ -7,11 +7,13 @@
 
 namespace evenglow::tests {
 
-/// One backlight traced by both paths with different seeds.
+/// One backlight traced by two paths with different seeds: the general path and the planar one, or any other two.
 struct TwoPaths {
   tracer::TraceResult general, planar;
 };
 TwoPaths traced_by_both(const tracer::Scene& scene, const tracer::DensityField& density, const TraceSetup& setup);
+TwoPaths traced_by(tracer::TracePath first, tracer::TracePath second, const tracer::Scene& scene,
+                   const tracer::DensityField& density, const TraceSetup& setup);
 
 /// How far the two are from each other.
 struct PathDifference {

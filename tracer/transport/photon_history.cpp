@@ -142,11 +142,11 @@ PhotonHistory::Encounter PhotonHistory::meet(const Surface& surface, const Vec3&
   return {surface.optics, surface.part};
 }
 
-void PhotonHistory::escape(const Walk& walk, BatchSums& sums) const {
+void PhotonHistory::escape_by(Side side, const Walk& walk, BatchSums& sums) const {
   const Photon& photon = walk.photon;
   Crossing crossing;
   crossing.k = photon.light.frame.k;
-  crossing.side = scene_.box.exit_side(photon.position, crossing.k);
+  crossing.side = side;
   const int axis = axis_of(crossing.side);
   const double distance = (scene_.box.plane(crossing.side) - photon.position[axis]) / crossing.k[axis];
   crossing.position = photon.position + (std::isfinite(distance) ? distance : 0.0) * crossing.k;

@@ -50,13 +50,18 @@ class PhotonHistory {
   /// The same where what is met there is known already.
   bool interact(Walk& walk, const RayHit& hit, const Encounter& encounter, core::PhotonRng& rng, BatchSums& sums) const;
   /// Adds a photon that meets nothing more.
-  void escape(const Walk& walk, BatchSums& sums) const;
+  void escape(const Walk& walk, BatchSums& sums) const { escape_by(exit_side(walk), walk, sums); }
+  /// The same where the side that it leaves by is known.
+  void escape_by(Side side, const Walk& walk, BatchSums& sums) const;
   const NextEvent& next_event() const { return next_event_; }
 
   /// More events than this end a history as stuck.
   static constexpr int kMaxEvents = 1000000;
 
  private:
+  Side exit_side(const Walk& walk) const {
+    return scene_.box.exit_side(walk.photon.position, walk.photon.light.frame.k);
+  }
   Walk emit(core::PhotonRng& rng) const;
   /// Does the photon scatter in the bulk of its body within `distance`? Then it is turned there.
   bool scatters_within(Walk& walk, const Body& body, double distance, core::PhotonRng& rng) const;

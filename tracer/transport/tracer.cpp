@@ -14,6 +14,8 @@
 #include "tracer/transport/rank_sums.h"
 #include "tracer/transport/recording_history.h"
 #include "tracer/transport/trace_health.h"
+#include "tracer/transport/wavefront_history.h"
+#include "tracer/transport/wavefront_plate.h"
 
 namespace evenglow::tracer {
 namespace {
@@ -22,6 +24,13 @@ namespace {
 std::optional<PlanarScene> planar_layers(const Scene& scene, TracePath path) {
   if (path == TracePath::kGeneral) return std::nullopt;
   std::string reason;
+  if (path == TracePath::kWavefront && !wavefront_serves(scene, &reason)) {
+    throw core::Error(
+        fmt::format("trace.path: wavefront is for counted luminance in a stack of parallel layers over a flat, clear "
+                    "plate at one wavelength; this backlight is not of that kind: {}; allowed here: auto, planar, "
+                    "general",
+                    reason));
+  }
   auto layers = PlanarScene::of(scene, &reason);
   if (!layers && path == TracePath::kPlanar) {
     throw core::Error(
@@ -31,6 +40,21 @@ std::optional<PlanarScene> planar_layers(const Scene& scene, TracePath path) {
                     reason));
   }
   return layers;
+}
+
+/// The photons of one batch; returns early when a stop is asked for.
+template <typename History>
+void run_range(const History& history, const TraceOptions& options, const core::BatchRange& range,
+               const std::stop_token& stop, BatchSums& sums) {
+  for (std::uint64_t i = 0; i < range.count; ++i) {
+    // A long batch must not keep the user waiting after Ctrl-C.
+    if (i % 256 == 0 && stop.stop_requested()) return;
+    history.run(options.key, range.first + i, sums);
+  }
+}
+void run_range(const WavefrontHistory& history, const TraceOptions& options, const core::BatchRange& range,
+               const std::stop_token& stop, BatchSums& sums) {
+  history.run(options.key, range, sums, stop);
 }
 
 /// The batches, empty if it was stopped.
@@ -48,11 +72,8 @@ BatchResults traced_batches(const Scene& scene, const DensityField& density, con
         const core::BatchRange range = core::batch_range(batch, options.batches, options.photons);
         auto mine = std::make_unique<BatchSums>(scene);
         mine->viewer.seed(options.key, range.first);
-        for (std::uint64_t i = 0; i < range.count; ++i) {
-          // A long batch must not keep the user waiting after Ctrl-C.
-          if (i % 256 == 0 && stop.stop_requested()) return;
-          history.run(options.key, range.first + i, *mine);
-        }
+        run_range(history, options, range, stop, *mine);
+        if (stop.stop_requested()) return;
         sums[batch] = std::move(mine);
         const std::lock_guard lock(progress_mutex);
         done += range.count * static_cast<std::uint64_t>(ranks.count());  // the others are about as far
@@ -111,19 +132,34 @@ std::optional<TraceResult> recorded(const Scene& scene, const DensityField& dens
 
 }  // namespace
 
+bool takes_wavefront(const Scene& scene, const TraceOptions& options) {
+  return options.path == TracePath::kWavefront && options.record_bytes == 0 && wavefront_serves(scene);
+}
+
 bool takes_planar_path(const Scene& scene, TracePath path) {
   return planar_layers(scene, path).has_value();
 }
+
+namespace {
+
+TracePath path_of(const std::string& name) {
+  if (name == "planar") return TracePath::kPlanar;
+  if (name == "general") return TracePath::kGeneral;
+  return name == "wavefront" ? TracePath::kWavefront : TracePath::kAuto;
+}
+
+}  // namespace
 
 TraceSpec read_trace(const core::ConfigNode& node) {
   TraceSpec spec = read_photons(node);
   const std::string path =
       node.choice({"path",
-                   "how flights are found: in closed form between parallel layers (planar), by ray "
-                   "tracing (general), or planar where the backlight allows it (auto)",
-                   {"auto", "planar", "general"},
+                   "how flights are found: in closed form between parallel layers (planar), the same for many "
+                   "photons at once (wavefront), by ray tracing (general), or planar where the backlight allows it "
+                   "(auto)",
+                   {"auto", "planar", "general", "wavefront"},
                    "auto"});
-  spec.path = path == "planar" ? TracePath::kPlanar : path == "general" ? TracePath::kGeneral : TracePath::kAuto;
+  spec.path = path_of(path);
   return spec;
 }
 
@@ -147,6 +183,8 @@ std::optional<TraceResult> trace(const Scene& scene, const DensityField& density
   const auto layers = planar_layers(scene, options.path);
   const std::size_t most = ArrivalLog::kMostIndex;
   const bool record = options.record_bytes > 0 && scene.luminance.bins() <= most && density.cells.values.size() <= most;
+  if (takes_wavefront(scene, options))
+    return traced(scene, density, WavefrontHistory(scene, *layers, density), options);
   if (layers && record) return recorded(scene, density, PlanarRecordingHistory(scene, *layers, density), options);
   if (layers) return traced(scene, density, PlanarHistory(scene, *layers, density), options);
   if (record) return recorded(scene, density, PhotonHistory(scene, density), options);

@@ -17,8 +17,9 @@
 namespace evenglow::tracer {
 
 /// How flights are found. `kPlanar`: in closed form, for a stack of parallel layers (`PlanarScene`); `kGeneral`: by ray
-/// tracing, for any scene; `kAuto`: planar where the scene allows it. The physics is the same.
-enum class TracePath { kAuto, kPlanar, kGeneral };
+/// tracing, for any scene; `kWavefront`: as planar, many photons at once (`WavefrontHistory`); `kAuto`: the fastest
+/// that the scene allows. The physics is the same.
+enum class TracePath { kAuto, kPlanar, kGeneral, kWavefront };
 
 /// How a backlight is traced; the map `trace` of the run file.
 struct TraceSpec {
@@ -64,6 +65,10 @@ struct TraceOptions {
 
 /// The next multiple of `batches` that is not less than `photons`.
 std::uint64_t whole_batches(std::uint64_t photons, std::size_t batches);
+
+/// Is this scene traced by the wavefront? Records of histories and what `wavefront_serves` refuses are left to the
+/// planar path.
+bool takes_wavefront(const Scene& scene, const TraceOptions& options);
 
 /// Is this scene traced by the planar path? Throws Error if that was asked for and cannot be.
 bool takes_planar_path(const Scene& scene, TracePath path);
