@@ -51,6 +51,8 @@ class PhotonHistory {
   bool interact(Walk& walk, const RayHit& hit, const Encounter& encounter, core::PhotonRng& rng, BatchSums& sums) const;
   /// Adds a photon that meets nothing more.
   void escape(const Walk& walk, BatchSums& sums) const;
+  /// The same where it is known how it leaves the backlight.
+  void escape(const Walk& walk, const Crossing& crossing, BatchSums& sums) const;
   const NextEvent& next_event() const { return next_event_; }
 
   /// More events than this end a history as stuck.
