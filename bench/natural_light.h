@@ -25,8 +25,11 @@ struct NaturalLight {
   void forget_polarization() {}
   void turn_phase(double, double) {}
   void turn_frame(double, double) {}
+  void depolarize(double) {}
   void mirror() {}
-  double twice_power(double p, double s) const { return p * p + s * s; }
+  bool scales_amplitudes(double p, double s, double whole, double uniform) const {
+    return uniform * 2.0 * whole < p * p + s * s;
+  }
   void scale_amplitudes(double, double) {}
   void reflect_totally(double, double, std::int64_t) {}
 };

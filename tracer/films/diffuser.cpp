@@ -86,7 +86,6 @@ struct DiskPoint {
 
 }  // namespace
 
-/// A direction on the side of `unscattered`.
 core::Vec3 Diffuser::draw_direction(const core::Vec3& unscattered, core::PhotonRng& rng) const {
   const double side = unscattered.z() >= 0.0 ? 1.0 : -1.0;
   while (true) {

@@ -46,9 +46,11 @@ class Diffuser final : public Bsdf {
   /// Width s of the Gaussian in direction cosines with this full width at half maximum: sin(fwhm / 2) / sqrt(2 ln 2).
   static double lobe_width(double fwhm);
 
- private:
+  const Spec& spec() const { return spec_; }
+  /// Direction of scattered light on the side of `unscattered`, the ray straight on or mirrored.
   core::Vec3 draw_direction(const core::Vec3& unscattered, core::PhotonRng& rng) const;
 
+ private:
   Spec spec_;
   std::optional<SymmetricLobe> lobe_;
   std::optional<AbgLobe> abg_;

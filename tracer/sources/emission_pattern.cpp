@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/base/error.h"
+#include "core/math/lambertian.h"
 #include "core/math/sampling.h"
 
 namespace evenglow::tracer {
@@ -46,8 +47,13 @@ EmissionPattern EmissionPattern::tabulated(const IntensityTable& table, double t
 
 core::Vec3 EmissionPattern::sample(core::PhotonRng& rng, const SideAxes& axes) const {
   if (!cumulative_.empty()) return sample_table(rng, axes);
-  const double u = rng.uniform();
-  const core::Vec3 local = core::sample_cosine_power(u, rng.uniform(), exponent_);
+  core::Vec3 local;
+  if (exponent_ == 1.0) {
+    local = core::draw_lambertian(rng);
+  } else {
+    const double u = rng.uniform();
+    local = core::sample_cosine_power(u, rng.uniform(), exponent_);
+  }
   return local.x() * axes.a + local.y() * axes.b + local.z() * axes.inward;
 }
 

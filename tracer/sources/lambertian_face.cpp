@@ -17,6 +17,8 @@ class LambertianFace final : public Source {
         max_(box.max) {
     const int axis = axis_of(face);
     min_[axis] = max_[axis] = box.plane(face) + (is_upper(face) ? gap : -gap);
+    along_a_ = (max_ - min_).dot(axes_.a) * axes_.a;
+    along_b_ = (max_ - min_).dot(axes_.b) * axes_.b;
   }
 
   double flux() const override { return flux_; }
@@ -27,10 +29,8 @@ class LambertianFace final : public Source {
   Photon emit(core::PhotonRng& rng) const override {
     const core::Vec3 k = pattern_.sample(rng, axes_);
     Photon photon;
-    photon.position = min_;
-    const core::Vec3 size = max_ - min_;
-    photon.position += rng.uniform() * size.dot(axes_.a) * axes_.a;
-    photon.position += rng.uniform() * size.dot(axes_.b) * axes_.b;
+    const double a = rng.uniform();
+    photon.position = min_ + a * along_a_ + rng.uniform() * along_b_;
     photon.light = core::StokesVector::unpolarized(1.0, core::PolarizationFrame::any(k));
     return photon;
   }
@@ -41,7 +41,7 @@ class LambertianFace final : public Source {
   double flux_;
   EmissionPattern pattern_;
   SideAxes axes_;
-  core::Vec3 min_, max_;
+  core::Vec3 min_, max_, along_a_, along_b_;
 };
 
 }  // namespace

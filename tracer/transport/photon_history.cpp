@@ -151,6 +151,10 @@ void PhotonHistory::escape_by(Side side, const Walk& walk, BatchSums& sums) cons
   const double distance = (scene_.box.plane(crossing.side) - photon.position[axis]) / crossing.k[axis];
   crossing.position = photon.position + (std::isfinite(distance) ? distance : 0.0) * crossing.k;
   crossing.estimated = next_event_.covers(walk.coverage, crossing.position);
+  escape(walk, crossing, sums);
+}
+
+void PhotonHistory::escape(const Walk& walk, const Crossing& crossing, BatchSums& sums) const {
   const double flux = walk.weight.y();
   if (const auto score = scene_.luminance.score(crossing)) sums.add_luminance(*score, walk.weight);
   if (const auto score = scene_.energy.score(crossing)) sums.energy[score->bin] += score->weight * flux;

@@ -53,6 +53,8 @@ class PhotonHistory {
   void escape(const Walk& walk, BatchSums& sums) const { escape_by(exit_side(walk), walk, sums); }
   /// The same where the side that it leaves by is known.
   void escape_by(Side side, const Walk& walk, BatchSums& sums) const;
+  /// The same where it is known how it leaves the backlight.
+  void escape(const Walk& walk, const Crossing& crossing, BatchSums& sums) const;
   const NextEvent& next_event() const { return next_event_; }
 
   /// More events than this end a history as stuck.

@@ -13,32 +13,35 @@ class PlanarFace {
  public:
   PlanarFace(PlanarPlateState<Light>& state, int side) : s_(state), side_(side) {}
 
-  /// Light from inside: does it get out? Then the photon has it, in air.
-  bool lets_out(Photon& photon, core::PhotonRng& rng) {
+  /// Light from inside: does it get out, into air?
+  bool gets_out(core::PhotonRng& rng) {
     Light& k = s_.light;
-    if (s_.face.reflects(k, rng)) {
-      s_.face.reflect(k);
+    const PlateFresnel face = s_.face();
+    if (face.reflects(k, rng)) {
       k.kz = -k.kz;
       return false;
     }
     const double n = s_.plate.refractive_index;
-    s_.face.pass(k);
+    face.pass(k);
     k.kx *= n;
     k.ky *= n;
-    k.kz = std::copysign(s_.face.cos_t, k.kz);
+    k.kz = std::copysign(face.cos_t, k.kz);
     s_.clamp_into_plate();
+    return true;
+  }
+  /// The same; then the photon has it.
+  bool lets_out(Photon& photon, core::PhotonRng& rng) {
+    if (!gets_out(rng)) return false;
     leave(photon);
     return true;
   }
 
-  /// Light from air: does it get in? If not, the photon has it again.
-  bool lets_in(Photon& photon, core::PhotonRng& rng) {
+  /// Light from air: does it get in?
+  bool gets_in(core::PhotonRng& rng) {
     Light& k = s_.light;
-    const PlateFresnel face(std::abs(k.kz), 1.0, s_.plate.refractive_index);
+    const PlateFresnel face(std::abs(k.kz), s_.plate.per_index);
     if (face.reflects(k, rng)) {
-      face.reflect(k);
       k.kz = -k.kz;
-      leave(photon);
       return false;
     }
     face.pass(k);
@@ -47,6 +50,12 @@ class PlanarFace {
     k.kz = std::copysign(face.cos_t, k.kz);
     s_.turned();
     return true;
+  }
+  /// The same; if not, the photon has it again.
+  bool lets_in(Photon& photon, core::PhotonRng& rng) {
+    if (gets_in(rng)) return true;
+    leave(photon);
+    return false;
   }
 
  private:

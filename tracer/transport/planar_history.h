@@ -20,6 +20,7 @@ class BasicPlanarHistory {
       : scene_(scene), layout_(layout), history_(scene, density), cells_(density) {
     for (std::size_t band = 0; band < scene.optics.size(); ++band) {
       plates_.push_back(PlanarPlate::of(scene, layout, band));
+      layers_.push_back(plates_.back() ? PlanarLayers(scene, layout, *plates_.back(), band) : PlanarLayers());
     }
   }
 
@@ -40,7 +41,11 @@ class BasicPlanarHistory {
         progress.owed = history_.next_event().number(walk.band, sums);
       }
       if (plate->pattern != nullptr) progress.begin_pattern(rng);
-      PlateWalk in_plate(*plate, cells_, history_, scene_, observer);
+      PlateWalk in_plate(*plate, layers_[walk.band], cells_, history_, scene_, observer);
+      if (const auto wall = layout_.wall_ahead(walk.photon)) {  // as most photons do
+        ++progress.events;
+        alive = in_plate.enter(walk, *wall, plate->side_of(wall->quad), progress, rng, sums);
+      }
       while (alive && progress.events < PhotonHistory::kMaxEvents) {
         alive = walk.photon.body == plate->body ? in_plate.run(walk, progress, rng, sums)
                                                 : step(walk, &in_plate, progress, rng, sums);
@@ -86,6 +91,7 @@ class BasicPlanarHistory {
   PhotonHistory history_;
   PlanarCells cells_;
   std::vector<std::optional<PlanarPlate>> plates_;  ///< of each band
+  std::vector<PlanarLayers> layers_;                ///< likewise
 };
 
 using PlanarHistory = BasicPlanarHistory<>;

@@ -46,44 +46,52 @@ struct MeridianLight {
   const MeridianLight& meridian() const { return *this; }
 
   /// U + iV times re + i im.
-  void turn_phase(double re, double im) {
+  [[gnu::always_inline]] void turn_phase(double re, double im) {
     const double u = U * re - V * im;
     V = U * im + V * re;
     U = u;
   }
   /// The frame's axes turned: cosine and sine of twice the angle.
-  void turn_frame(double cos2, double sin2) {
+  [[gnu::always_inline]] void turn_frame(double cos2, double sin2) {
     const double q = Q * cos2 + U * sin2;
     U = U * cos2 - Q * sin2;
     Q = q;
+  }
+  /// What is left of the polarization, times `kept`.
+  void depolarize(double kept) {
+    Q *= kept;
+    U *= kept;
+    V *= kept;
   }
   /// At an ideal mirror, in a frame whose s is common to both rays.
   void mirror() {
     U = -U;
     V = -V;
   }
-  /// Twice the power in units of I, if the amplitudes of p and s light are multiplied by p and s.
-  double twice_power(double p, double s) const { return p * p * (I + Q) + s * s * (I - Q); }
   /// Real amplitudes of p and s light.
-  void scale_amplitudes(double p, double s) {
+  [[gnu::always_inline]] void scale_amplitudes(double p, double s) {
+    set_amplitudes(p * p * (I + Q), s * s * (I - Q), p * s);
+  }
+  /// The same with the odds of the power that is left, drawn by a uniform number; `whole`: power 1 in the units of p^2
+  /// and s^2. False: not so, and nothing is done.
+  [[gnu::always_inline]] bool scales_amplitudes(double p, double s, double whole, double uniform) {
     const double power_p = p * p * (I + Q);
     const double power_s = s * s * (I - Q);
-    I = 0.5 * (power_p + power_s);
-    Q = 0.5 * (power_p - power_s);
-    U *= p * s;
-    V *= p * s;
-    if (I < kLeast || I > kMost) rescale();
+    if (uniform * 2.0 * I * whole >= power_p + power_s) return false;
+    set_amplitudes(power_p, power_s, p * s);
+    return true;
   }
   /// `count` total reflections, each of which turns U + iV by re + i im, in one step.
   void reflect_totally(double re, double im, std::int64_t count) {
     if (U == 0.0 && V == 0.0) return;
     double power_re = 1.0, power_im = 0.0;
     while (count != 0) {
-      if (count % 2 != 0) {
-        const double r = power_re * re - power_im * im;
-        power_im = power_re * im + power_im * re;
-        power_re = r;
-      }
+      // Without a branch: nobody guesses the bits of the count.
+      const auto taken = static_cast<double>(count % 2);
+      const double factor_re = 1.0 + taken * (re - 1.0), factor_im = taken * im;
+      const double product = power_re * factor_re - power_im * factor_im;
+      power_im = power_re * factor_im + power_im * factor_re;
+      power_re = product;
       const double r = re * re - im * im;
       im = 2.0 * re * im;
       re = r;
@@ -94,6 +102,15 @@ struct MeridianLight {
 
  private:
   static constexpr double kLeast = 1e-60, kMost = 1e60;
+
+  [[gnu::always_inline]] void set_amplitudes(double power_p, double power_s, double cross) {
+    I = 0.5 * (power_p + power_s);
+    Q = 0.5 * (power_p - power_s);
+    U *= cross;
+    V *= cross;
+    if (I < kLeast || I > kMost) [[unlikely]]
+      rescale();
+  }
 
   void set_polarization(const core::StokesVector& light) {
     I = 1.0;
@@ -116,7 +133,7 @@ struct MeridianLight {
 struct WallTurn {
   double cos2 = 1.0, sin2 = 0.0;
 
-  WallTurn(double kn, double kt, double kz, double sign) {
+  [[gnu::always_inline]] WallTurn(double kn, double kt, double kz, double sign) {
     // In the plane of k and z: e1 . z > 0; in that of k and n: e1 . n > 0. Their angle has the cosine -kz kn / (sz sn)
     // and the sine sign kt / (sz sn), with (sz sn)^2 = kz^2 kn^2 + kt^2.
     const double c = kz * kn;
@@ -140,9 +157,10 @@ struct PlateFresnel {
 
   PlateFresnel() = default;
   /// From an index `n1` at cosine `c` into `n2`.
-  PlateFresnel(double c, double n1, double n2) {
-    const double n = n1 / n2;
-    const double sin2_t = n * n * (1.0 - c * c);
+  [[gnu::always_inline]] PlateFresnel(double c, double n1, double n2) : PlateFresnel(c, n1 / n2) {}
+  /// `n`: n1 / n2.
+  [[gnu::always_inline]] PlateFresnel(double c, double n) {
+    const double sin2_t = sin2_refracted(c, n);
     total = sin2_t >= 1.0;
     if (total) {
       const double g = std::sqrt(sin2_t - 1.0);
@@ -161,21 +179,28 @@ struct PlateFresnel {
     s_reflected = (n * c - cos_t) * p_sum;
   }
 
-  /// Is light reflected, with the odds of its own polarization?
+  /// The same condition as `total`.
+  [[gnu::always_inline]] static bool is_total(double c, double n) { return sin2_refracted(c, n) >= 1.0; }
+
+  /// Light reflected, with the odds of its own polarization; false: it is not, and has not been changed. Not for total
+  /// reflection.
   template <typename Light>
-  bool reflects(const Light& light, core::PhotonRng& rng) const {
-    const double sums = p_sum * s_sum;
-    return rng.uniform() * 2.0 * light.I * sums * sums < light.twice_power(p_reflected, s_reflected);
+  [[gnu::always_inline]] bool reflects(Light& light, core::PhotonRng& rng) const {
+    return reflects(light, rng.uniform());
   }
   template <typename Light>
-  void reflect(Light& light) const {
-    light.scale_amplitudes(p_reflected, s_reflected);
+  [[gnu::always_inline]] bool reflects(Light& light, double uniform) const {
+    const double sums = p_sum * s_sum;
+    return light.scales_amplitudes(p_reflected, s_reflected, sums * sums, uniform);
   }
   /// Into the other medium, or by the way back out of it: the ratio of the amplitudes is the same.
   template <typename Light>
-  void pass(Light& light) const {
+  [[gnu::always_inline]] void pass(Light& light) const {
     light.scale_amplitudes(s_sum, p_sum);
   }
+
+ private:
+  [[gnu::always_inline]] static double sin2_refracted(double c, double n) { return n * n * (1.0 - c * c); }
 };
 
 /// Horizontal unit vector across the ray, s = z x h; h = +x along the normal.

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 
+#include "core/math/lambertian.h"
 #include "tracer/transport/photon_history.h"
 #include "tracer/transport/planar_cells.h"
 #include "tracer/transport/planar_plate_state.h"
@@ -55,8 +56,9 @@ class PlanarPattern {
   }
 
   /// Faces met before the pattern is: every second arrival from `first` on comes to the patterned face.
-  std::int64_t first_meeting(std::int64_t faces, std::int64_t first, double to_face, double period, const Walk& walk,
-                             PlanarProgress& progress, core::PhotonRng& rng, BatchSums& sums) {
+  [[gnu::always_inline]] std::int64_t first_meeting(std::int64_t faces, std::int64_t first, double to_face,
+                                                    double period, const Walk& walk, PlanarProgress& progress,
+                                                    core::PhotonRng& rng, BatchSums& sums) {
     const double start = to_face + static_cast<double>(first) * period;
     double column = cells_.column(s_.x + s_.light.kx * start);
     double row = cells_.row(s_.y + s_.light.ky * start);
@@ -77,11 +79,11 @@ class PlanarPattern {
   }
 
   /// A plain dot from inside; false: absorbed.
-  bool meet_dot(Walk& walk, core::PhotonRng& rng, BatchSums& sums) {
+  [[gnu::always_inline]] bool meet_dot(Walk& walk, core::PhotonRng& rng, BatchSums& sums) {
     const PlainReflector& dots = plate_.dots;
     const double u = rng.uniform();
     const bool mirrored = u < dots.mirrored;
-    estimate_dot(walk, mirrored, sums);
+    if (estimates_) estimate_dot(walk, mirrored, sums);
     if (u >= dots.reflectance) {
       sums.energy[scene_.energy.absorbed_bin(dots.part)] += walk.weight.y();
       return false;
@@ -92,7 +94,7 @@ class PlanarPattern {
       k.kz = -k.kz;
       return true;
     }
-    const core::Vec3 out = lambertian(rng);
+    const core::Vec3 out = core::draw_lambertian(rng);
     k.forget_polarization();
     k.kx = out.x();
     k.ky = out.y();
@@ -118,7 +120,7 @@ class PlanarPattern {
 
   void tell_in_full(std::size_t cell, bool met, std::int64_t reflections, double distance) {
     Light light = s_.light;
-    light.reflect_totally(s_.face.phase_re, s_.face.phase_im, reflections);
+    s_.reflect_totally(light, reflections);
     if (reflections % 2 != 0) light.kz = -light.kz;
     const double z = s_.plane(plate_.pattern_side);
     observer_(PatternArrival{cell, met, {s_.x + light.kx * distance, s_.y + light.ky * distance, z}, light.meridian()});
@@ -127,12 +129,12 @@ class PlanarPattern {
   int quad() const { return plate_.quads[static_cast<std::size_t>(plate_.pattern_side)]; }
 
   /// What `NextEvent` is due at an arrival at the pattern from inside, whether or not it is met.
-  void estimate(const Walk& walk, std::int64_t reflections, double distance, BatchSums& sums) const {
+  [[gnu::noinline]] void estimate(const Walk& walk, std::int64_t reflections, double distance, BatchSums& sums) const {
     const core::Vec3 place(s_.x + s_.light.kx * distance, s_.y + s_.light.ky * distance, s_.plane(plate_.pattern_side));
     core::StokesVector arriving{1.0, 0.0, 0.0, 0.0, {}};
     if (!plate_.dots.known) {  // else only the side counts from which it comes (`estimate_dot`)
       Light light = s_.light;
-      light.reflect_totally(s_.face.phase_re, s_.face.phase_im, reflections);
+      s_.reflect_totally(light, reflections);
       if (reflections % 2 != 0) light.kz = -light.kz;
       arriving = to_local(scene_.optics[walk.band].surfaces[static_cast<std::size_t>(quad())], light.stokes());
     }
@@ -140,9 +142,8 @@ class PlanarPattern {
   }
 
   /// Of a plain dot that is met.
-  void estimate_dot(Walk& walk, bool mirrored, BatchSums& sums) const {
+  [[gnu::noinline]] void estimate_dot(Walk& walk, bool mirrored, BatchSums& sums) const {
     const NextEvent& next_event = history_.next_event();
-    if (!next_event.active()) return;
     const core::Vec3 position = s_.position();
     // Only the side counts from which the light comes: along the normal, out of the plate.
     const core::StokesVector light{1.0, 0.0, 0.0, 0.0, {}};

@@ -24,7 +24,8 @@ WallBacking backing_of(const Scene& scene, const PlanarScene& layout, const Scen
 PlainReflector PlainReflector::of(const Bsdf* optics, int part) {
   const auto* plain = dynamic_cast<const OpaqueReflector*>(optics);
   if (plain == nullptr) return {};
-  return {true, plain->reflectance(), plain->reflectance() * plain->specular_share(), part};
+  const double mirrored = plain->reflectance() * plain->specular_share();
+  return {true, plain->reflectance(), mirrored, part, mirrored > 0.0 ? 1.0 / mirrored : 0.0};
 }
 
 std::optional<PlanarPlate> PlanarPlate::of(const Scene& scene, const PlanarScene& layout, std::size_t band) {
@@ -34,6 +35,8 @@ std::optional<PlanarPlate> PlanarPlate::of(const Scene& scene, const PlanarScene
   if (body.scattering || body.refractive_index < 1.0) return std::nullopt;
   PlanarPlate plate;
   plate.box = layout.plate()->box;
+  plate.center = 0.5 * (plate.box.min + plate.box.max);
+  plate.half = 0.5 * (plate.box.max - plate.box.min);
   plate.body = layout.plate()->body;
   plate.refractive_index = body.refractive_index;
   plate.per_index = 1.0 / body.refractive_index;

@@ -14,6 +14,7 @@ struct PlainReflector {
   double reflectance = 0.0;
   double mirrored = 0.0;  ///< share of the incident light
   int part = 0;
+  double per_mirrored = 0.0;  ///< 1 / mirrored, if there is any
 
   static PlainReflector of(const Bsdf* optics, int part);
 };
@@ -28,7 +29,8 @@ struct WallBacking {
 /// What a walk inside the plate needs of it at one wavelength.
 struct PlanarPlate {
   Box box;
-  std::array<double, kSides> planes{};  ///< of the box
+  core::Vec3 center = core::Vec3::Zero(), half = core::Vec3::Zero();  ///< of the box, and half its edges
+  std::array<double, kSides> planes{};                                ///< of the box
   int body = 0;
   double refractive_index = 1.5;
   double per_index = 1.0 / 1.5;           ///< 1 / refractive_index

@@ -50,7 +50,7 @@ struct PlanarPlateState {
   Light light;
   double x = 0.0, y = 0.0, z = 0.0;
   double way_x = 0.0, way_y = 0.0, way_z = 0.0;  ///< mm of path for one mm along an axis
-  PlateFresnel face;                             ///< of bottom and top
+  bool guided = false;                           ///< is it reflected totally at bottom and top?
 
   void load(const Photon& photon) {
     light = Light(photon.light);
@@ -63,24 +63,22 @@ struct PlanarPlateState {
   double plane(int side) const { return plate.planes[static_cast<std::size_t>(side)]; }
 
   /// To be called when the angles of the direction have changed.
-  void turned() {
+  [[gnu::always_inline]] void turned() {
     // Along a face: so long a way that another face comes first.
     const auto way = [](double k) { return std::min(1.0 / std::abs(k), 1e200); };
     way_x = way(light.kx);
     way_y = way(light.ky);
     way_z = way(light.kz);
-    face = PlateFresnel(std::abs(light.kz), plate.refractive_index, 1.0);
-    wall_known_ = {false, false};
+    guided = PlateFresnel::is_total(light.kz, plate.refractive_index);
   }
+  /// What bottom and top do to light from inside.
+  [[gnu::always_inline]] PlateFresnel face() const { return {std::abs(light.kz), plate.refractive_index}; }
 
-  /// Of the walls x or y = const.
-  const PlateFresnel& wall(bool x_wall) {
-    const std::size_t i = x_wall ? 0 : 1;
-    if (!wall_known_[i]) {
-      walls_[i] = PlateFresnel(std::abs(x_wall ? light.kx : light.ky), plate.refractive_index, 1.0);
-      wall_known_[i] = true;
-    }
-    return walls_[i];
+  /// Light of these angles after so many total reflections at bottom and top.
+  [[gnu::always_inline]] void reflect_totally(Light& changed, std::int64_t count) const {
+    if (count == 0 || !changed.is_polarized()) return;
+    const PlateFresnel total = face();
+    changed.reflect_totally(total.phase_re, total.phase_im, count);
   }
 
   void clamp_into_plate() {
@@ -95,21 +93,7 @@ struct PlanarPlateState {
     photon.quad = quad;
     photon.body = -1;
   }
-
- private:
-  std::array<PlateFresnel, 2> walls_;
-  std::array<bool, 2> wall_known_{};
 };
-
-/// Direction about +z with density cos(theta) / pi: a point of the unit disk (Malley), without sine and cosine.
-inline core::Vec3 lambertian(core::PhotonRng& rng) {
-  while (true) {
-    const double a = 2.0 * rng.uniform() - 1.0;
-    const double b = 2.0 * rng.uniform() - 1.0;
-    const double r2 = a * a + b * b;
-    if (r2 < 1.0) return {a, b, std::sqrt(1.0 - r2)};
-  }
-}
 
 /// s = k x normal of a wall x or y = const, unit.
 inline core::Vec3 across_wall(const core::Vec3& k, bool x_wall) {

@@ -8,20 +8,26 @@
 #include "tracer/transport/photon_history.h"
 #include "tracer/transport/planar_face.h"
 #include "tracer/transport/planar_pattern.h"
+#include "tracer/transport/planar_stack_walk.h"
 #include "tracer/transport/planar_wall.h"
 
 namespace evenglow::tracer {
 
-/// The part of a walk that is spent in the plate, from face to face: total reflections between two walls, or two
-/// meetings with the pattern, are taken in one step.
+/// The part of a walk that is spent in the plate, from face to face, and in the layers of air around it: total
+/// reflections between two walls, or two meetings with the pattern, are taken in one step.
 template <typename Light, typename Observer>
 class PlanarPlateWalk {
  public:
   using Walk = PhotonHistory::Walk;
 
-  PlanarPlateWalk(const PlanarPlate& plate, const PlanarCells& cells, const PhotonHistory& history, const Scene& scene,
-                  Observer& observer)
-      : plate_(plate), history_(history), scene_(scene), s_(plate), pattern_(s_, cells, history, scene, observer) {
+  PlanarPlateWalk(const PlanarPlate& plate, const PlanarLayers& layers, const PlanarCells& cells,
+                  const PhotonHistory& history, const Scene& scene, Observer& observer)
+      : plate_(plate),
+        history_(history),
+        scene_(scene),
+        s_(plate),
+        pattern_(s_, cells, history, scene, observer),
+        stack_(s_, layers, history, scene) {
     const ViewerLevels& levels = history.next_event().levels();
     level_[0] = levels.of_quad(plate.quads[static_cast<std::size_t>(Side::kBottom)]);
     level_[1] = levels.of_quad(plate.quads[static_cast<std::size_t>(Side::kTop)]);
@@ -38,9 +44,7 @@ class PlanarPlateWalk {
       if (side == plate_.pattern_side && pattern_.meets(progress, rng)) {
         return meet_as_surface(walk, hit, {plate_.pattern, plate_.pattern_part}, progress, rng, sums);
       }
-      pass_levels(walk, side == static_cast<int>(Side::kTop) ? 1 : 0, 1);
-      walk.corner = -1;
-      if (!PlanarFace<Light>(s_, side).lets_in(walk.photon, rng)) return true;
+      if (!gets_in(side, walk, rng)) return follow_around(side, walk, progress, rng, sums);
     } else {
       if (!plate_.smooth[static_cast<std::size_t>(side)]) {
         const Surface& surface = scene_.optics[walk.band].surfaces[static_cast<std::size_t>(hit.quad)];
@@ -48,7 +52,7 @@ class PlanarPlateWalk {
       }
       walk.coverage = {};
       walk.corner = -1;
-      if (PlanarWall<Light>(s_, side).from_outside(walk.photon, rng) == WallEnd::kOutside) return true;
+      if (enter_wall(side, walk.photon, rng) == WallEnd::kOutside) return true;
     }
     walk.photon.body = plate_.body;
     return follow(walk, progress, rng, sums);
@@ -61,19 +65,37 @@ class PlanarPlateWalk {
   }
 
  private:
-  enum class Leg { kReflected, kLeft, kEscaped, kAbsorbed, kMet };
+  using StackEnd = typename PlanarStackWalk<Light>::End;
+  enum class Leg { kReflected, kLeft, kOut, kAbsorbed, kMet, kAtXWall, kAtYWall };
+  enum class Around { kInside, kElsewhere, kEnded };
 
-  bool follow(Walk& walk, PlanarProgress& progress, core::PhotonRng& rng, BatchSums& sums) {
+  /// All that a leg is made of stands in this one function: calls would cost a tenth of the time.
+  [[gnu::noinline]] bool follow(Walk& walk, PlanarProgress& progress, core::PhotonRng& rng, BatchSums& sums) {
     while (progress.events < PhotonHistory::kMaxEvents) {
-      switch (leg(walk, progress, rng, sums)) {
+      Leg end = leg(walk, progress, rng, sums);
+      // Walls x = const and y = const by code of their own: what is then done to x and y needs no choice.
+      if (end == Leg::kAtXWall) {
+        end = at_wall<true>(walk, progress, rng);
+      } else if (end == Leg::kAtYWall) {
+        end = at_wall<false>(walk, progress, rng);
+      }
+      switch (end) {
         case Leg::kReflected:
+        case Leg::kAtXWall:
+        case Leg::kAtYWall:
           break;
         case Leg::kLeft:
           return true;
-        case Leg::kEscaped:
-          ++progress.events;
-          history_.escape(walk, sums);
-          return false;
+        case Leg::kOut:
+          switch (around(out_side_, walk, progress, rng, sums)) {
+            case Around::kInside:
+              break;
+            case Around::kElsewhere:
+              return true;
+            case Around::kEnded:
+              return false;
+          }
+          break;
         case Leg::kAbsorbed:
           sums.energy[scene_.energy.absorbed_bin(absorber_)] += walk.weight.y();
           return false;
@@ -92,6 +114,49 @@ class PlanarPlateWalk {
     return true;
   }
 
+  WallEnd enter_wall(int side, Photon& photon, core::PhotonRng& rng) {
+    return side < 2 ? PlanarWall<Light, true>(s_, side).from_outside(photon, rng)
+                    : PlanarWall<Light, false>(s_, side).from_outside(photon, rng);
+  }
+
+  [[gnu::noinline]] bool follow_around(int side, Walk& walk, PlanarProgress& progress, core::PhotonRng& rng,
+                                       BatchSums& sums) {
+    const Around end = around(side, walk, progress, rng, sums);
+    return end == Around::kInside ? follow(walk, progress, rng, sums) : end == Around::kElsewhere;
+  }
+
+  /// Light in air at a face of the plate, through the layers until it is in the plate.
+  [[gnu::noinline]] Around around(int side, Walk& walk, PlanarProgress& progress, core::PhotonRng& rng,
+                                  BatchSums& sums) {
+    while (true) {
+      const auto end = stack_.run(side, walk, progress, rng, sums);
+      if (end == StackEnd::kEnded) return Around::kEnded;
+      if (end == StackEnd::kElsewhere) return Around::kElsewhere;
+      side = stack_.side();
+      if (side == plate_.pattern_side && pattern_.meets(progress, rng)) {
+        const int quad = plate_.quads[static_cast<std::size_t>(side)];
+        s_.leave(walk.photon, quad, s_.light.stokes());
+        const RayHit hit{quad, stack_.distance(), s_.position()};
+        if (!history_.interact(walk, hit, {plate_.pattern, plate_.pattern_part}, rng, sums)) return Around::kEnded;
+        if (walk.photon.body == plate_.body) {
+          s_.load(walk.photon);
+          return Around::kInside;
+        }
+        s_.light = Light(walk.photon.light);
+      } else if (gets_in(side, walk, rng)) {
+        walk.photon.body = plate_.body;
+        return Around::kInside;
+      }
+    }
+  }
+
+  /// Light in air at the smooth bottom or top.
+  bool gets_in(int side, Walk& walk, core::PhotonRng& rng) {
+    pass_levels(walk, side == static_cast<int>(Side::kTop) ? 1 : 0, 1);
+    walk.corner = -1;
+    return PlanarFace<Light>(s_, side).gets_in(rng);
+  }
+
   /// From outside, by the surface's own optics.
   bool meet_as_surface(Walk& walk, const RayHit& hit, const PhotonHistory::Encounter& encounter,
                        PlanarProgress& progress, core::PhotonRng& rng, BatchSums& sums) {
@@ -100,7 +165,7 @@ class PlanarPlateWalk {
   }
 
   /// What `NextEvent` would be told of meetings with smooth bottoms and tops in turn, `first` (0: bottom) the next one.
-  void pass_levels(Walk& walk, std::size_t first, std::int64_t faces) const {
+  [[gnu::always_inline]] void pass_levels(Walk& walk, std::size_t first, std::int64_t faces) const {
     if (!walk.coverage.covered || faces == 0) return;
     walk.coverage.straight = false;
     const int last = level_[faces % 2 != 0 ? first : 1 - first];
@@ -109,14 +174,17 @@ class PlanarPlateWalk {
     walk.coverage.level = last;
   }
 
-  Leg leg(Walk& walk, PlanarProgress& progress, core::PhotonRng& rng, BatchSums& sums) {
-    const Box& box = plate_.box;
+  [[gnu::always_inline]] Leg leg(Walk& walk, PlanarProgress& progress, core::PhotonRng& rng, BatchSums& sums) {
     const Light& k = s_.light;
-    const double to_x = (k.kx > 0.0 ? box.max.x() - s_.x : s_.x - box.min.x()) * s_.way_x;
-    const double to_y = (k.ky > 0.0 ? box.max.y() - s_.y : s_.y - box.min.y()) * s_.way_y;
-    const double to_face = std::max(0.0, k.kz > 0.0 ? box.max.z() - s_.z : s_.z - box.min.z()) * s_.way_z;
+    // Without branches: the signs are as random as the light.
+    const auto ahead = [](double k_axis, double half, double from_center) {
+      return half - std::copysign(1.0, k_axis) * from_center;
+    };
+    const double to_x = ahead(k.kx, plate_.half.x(), s_.x - plate_.center.x()) * s_.way_x;
+    const double to_y = ahead(k.ky, plate_.half.y(), s_.y - plate_.center.y()) * s_.way_y;
+    const double to_face = std::max(0.0, ahead(k.kz, plate_.half.z(), s_.z - plate_.center.z())) * s_.way_z;
     const double to_wall = std::max(0.0, std::min(to_x, to_y));
-    if (s_.face.total) return guided_leg(walk, progress, rng, sums, to_x < to_y, to_wall, to_face);
+    if (s_.guided) return guided_leg(walk, progress, rng, sums, to_x < to_y, to_wall, to_face);
     const double distance = std::min(to_wall, to_face);
     ++progress.events;
     walk.optical_depth -= plate_.absorption * distance;
@@ -124,18 +192,21 @@ class PlanarPlateWalk {
     s_.x += k.kx * distance;
     s_.y += k.ky * distance;
     s_.z += k.kz * distance;
-    if (to_wall < to_face) return at_wall(walk, progress, rng, to_x < to_y, distance);
+    if (to_wall < to_face) {
+      hit_distance_ = distance;
+      return to_x < to_y ? Leg::kAtXWall : Leg::kAtYWall;
+    }
     return at_face(walk, progress, rng, sums, distance);
   }
 
-  Leg absorbed_by(int part) {
+  [[gnu::always_inline]] Leg absorbed_by(int part) {
     absorber_ = part;
     return Leg::kAbsorbed;
   }
 
   /// All total reflections up to a wall, a meeting with the pattern, or absorption.
-  Leg guided_leg(Walk& walk, PlanarProgress& progress, core::PhotonRng& rng, BatchSums& sums, bool x_wall,
-                 double to_wall, double to_face) {
+  [[gnu::always_inline]] Leg guided_leg(Walk& walk, PlanarProgress& progress, core::PhotonRng& rng, BatchSums& sums,
+                                        bool x_wall, double to_wall, double to_face) {
     const Box& box = plate_.box;
     Light& k = s_.light;
     double distance = to_wall;
@@ -145,10 +216,9 @@ class PlanarPlateWalk {
       end = absorbed_by(plate_.part);
     }
     const double period = plate_.height * s_.way_z;
-    std::int64_t faces = 0;
-    if (to_face <= distance) {
-      faces = 1 + static_cast<std::int64_t>((distance - to_face) * std::abs(k.kz) * plate_.per_height);
-    }
+    // 1 + the whole number of heights beyond the first face; a way that ends before it is not as long as one height.
+    const auto faces_on_way = std::max(0.0, (distance - to_face) * std::abs(k.kz) * plate_.per_height + 1.0);
+    auto faces = static_cast<std::int64_t>(faces_on_way);
     if (plate_.pattern_side >= 0) {
       const bool pattern_first = (k.kz > 0.0) == (plate_.pattern_side == static_cast<int>(Side::kTop));
       const std::int64_t before =
@@ -165,19 +235,21 @@ class PlanarPlateWalk {
     s_.y += k.ky * distance;
     double from_last = distance;
     if (faces > 0) {
-      k.reflect_totally(s_.face.phase_re, s_.face.phase_im, faces);
+      // A plain dot forgets the polarization, if it is no mirror.
+      if (end != Leg::kMet || !plate_.dots.known || plate_.dots.mirrored > 0.0) s_.reflect_totally(k, faces);
       from_last -= to_face + static_cast<double>(faces - 1) * period;
-      if (faces % 2 != 0) k.kz = -k.kz;
-      s_.z = k.kz > 0.0 ? box.min.z() : box.max.z();
+      k.kz *= static_cast<double>(1 - 2 * (faces % 2));
+      s_.z = plate_.center.z() - std::copysign(plate_.half.z(), k.kz);
     }
     s_.z = std::clamp(s_.z + k.kz * from_last, box.min.z(), box.max.z());
     walk.optical_depth -= plate_.absorption * distance;
     if (end == Leg::kAbsorbed) return end;
     if (end == Leg::kMet) return meet_pattern(distance);
-    return at_wall(walk, progress, rng, x_wall, distance);
+    hit_distance_ = distance;
+    return x_wall ? Leg::kAtXWall : Leg::kAtYWall;
   }
 
-  Leg meet_pattern(double distance) {
+  [[gnu::always_inline]] Leg meet_pattern(double distance) {
     s_.clamp_into_plate();
     s_.z = s_.plane(plate_.pattern_side);
     hit_quad_ = plate_.quads[static_cast<std::size_t>(plate_.pattern_side)];
@@ -187,7 +259,8 @@ class PlanarPlateWalk {
   }
 
   /// At the bottom or the top, where light gets out.
-  Leg at_face(Walk& walk, PlanarProgress& progress, core::PhotonRng& rng, BatchSums& sums, double distance) {
+  [[gnu::always_inline]] Leg at_face(Walk& walk, PlanarProgress& progress, core::PhotonRng& rng, BatchSums& sums,
+                                     double distance) {
     const bool upward = s_.light.kz > 0.0;
     const int side = static_cast<int>(upward ? Side::kTop : Side::kBottom);
     if (side == plate_.pattern_side && pattern_.meets_from_inside(walk, progress, rng, sums)) {
@@ -195,19 +268,19 @@ class PlanarPlateWalk {
     }
     pass_levels(walk, upward ? 1 : 0, 1);
     s_.z = s_.plane(side);
-    if (!PlanarFace<Light>(s_, side).lets_out(walk.photon, rng)) return Leg::kReflected;
-    walk.corner = -1;
-    return upward && plate_.open_above ? Leg::kEscaped : Leg::kLeft;
+    if (!PlanarFace<Light>(s_, side).gets_out(rng)) return Leg::kReflected;
+    out_side_ = side;
+    return Leg::kOut;
   }
 
-  Leg at_wall(Walk& walk, PlanarProgress& progress, core::PhotonRng& rng, bool x_wall, double distance) {
-    const double kn = x_wall ? s_.light.kx : s_.light.ky;
-    const int side = (x_wall ? 0 : 2) + (kn > 0.0 ? 1 : 0);
-    (x_wall ? s_.x : s_.y) = s_.plane(side);
+  template <bool kXWall>
+  [[gnu::always_inline]] Leg at_wall(Walk& walk, PlanarProgress& progress, core::PhotonRng& rng) {
+    const double kn = kXWall ? s_.light.kx : s_.light.ky;
+    const int side = (kXWall ? 0 : 2) + (std::signbit(kn) ? 0 : 1);
+    (kXWall ? s_.x : s_.y) = s_.plane(side);
     if (!plate_.smooth[static_cast<std::size_t>(side)]) {
       s_.clamp_into_plate();
       hit_quad_ = plate_.quads[static_cast<std::size_t>(side)];
-      hit_distance_ = distance;
       const Surface& surface = scene_.optics[walk.band].surfaces[static_cast<std::size_t>(hit_quad_)];
       encounter_ = {surface.optics, surface.part};
       return Leg::kMet;
@@ -215,7 +288,7 @@ class PlanarPlateWalk {
     if (walk.coverage.covered)
       history_.next_event().meet_wall(walk.coverage, side, {s_.light.kx, s_.light.ky, s_.light.kz}, walk.band);
     walk.corner = -1;
-    switch (PlanarWall<Light>(s_, side).from_inside(walk.photon, progress, rng)) {
+    switch (PlanarWall<Light, kXWall>(s_, side).from_inside(walk.photon, progress, rng)) {
       case WallEnd::kInside:
         return Leg::kReflected;
       case WallEnd::kOutside:
@@ -231,6 +304,8 @@ class PlanarPlateWalk {
   const Scene& scene_;
   PlanarPlateState<Light> s_;
   PlanarPattern<Light, Observer> pattern_;
+  PlanarStackWalk<Light> stack_;
+  int out_side_ = 4;
   std::array<int, 2> level_{-1, -1};  ///< of bottom and top (`ViewerLevels`)
   int absorber_ = 0;
   int hit_quad_ = -1;

@@ -87,6 +87,27 @@ std::optional<RayHit> PlanarScene::between_walls(const Photon& photon) const {
   return std::nullopt;
 }
 
+std::optional<RayHit> PlanarScene::wall_of_plate(const Photon& photon) const {
+  const Vec3& p = photon.position;
+  const Vec3& k = photon.light.frame.k;
+  const Box& box = plate_->box;
+  for (int axis = 0; axis < 2; ++axis) {
+    const bool from_low = k[axis] > 0.0 && p[axis] <= box.min[axis];
+    if (!from_low && !(k[axis] < 0.0 && p[axis] >= box.max[axis])) continue;
+    const double at = from_low ? box.min[axis] : box.max[axis];
+    const double t = (at - p[axis]) / k[axis];
+    const int across = 1 - axis;
+    const double other = p[across] + t * k[across];
+    const double z = p.z() + t * k.z();
+    if (!(other > box.min[across] && other < box.max[across] && z > box.min.z() && z < box.max.z())) continue;
+    Vec3 place(0.0, 0.0, z);
+    place[axis] = at;
+    place[across] = other;
+    return RayHit{plate_->quads[static_cast<std::size_t>(2 * axis + (from_low ? 0 : 1))], t, place};
+  }
+  return std::nullopt;
+}
+
 std::optional<RayHit> PlanarScene::entry_of_plate(const Photon& photon) const {
   const Vec3& p = photon.position;
   const Vec3& k = photon.light.frame.k;
@@ -102,6 +123,7 @@ std::optional<RayHit> PlanarScene::entry_of_plate(const Photon& photon) const {
       return RayHit{plate_->quads[side], t, {x, y, z}};
     }
   }
+  if (auto wall = wall_of_plate(photon)) return wall;
   double enter = -kInfinity;
   double leave = kInfinity;
   int side = 0;

@@ -28,6 +28,10 @@ class PlanarScene {
 
   /// The plate, if the scene has one; its `body` and faces.
   const std::optional<PlanarRoom>& plate() const { return plate_; }
+  /// Rooms between the layers, from below; the plate stands in the first one.
+  const std::vector<PlanarRoom>& rooms() const { return rooms_; }
+  /// Does light that goes up from this quad meet nothing more?
+  bool is_last(int quad) const { return places_[static_cast<std::size_t>(quad)].above == kOutside; }
   /// Quad of the reflector at a side, -1: none.
   int wall(Side side) const { return walls_[static_cast<std::size_t>(side)]; }
   /// Is there nothing above the plate?
@@ -42,6 +46,16 @@ class PlanarScene {
   /// Nearest surface (quad -1: the photon escapes) of a photon in air or in a body. Empty where only the general search
   /// can tell: a photon outside the layers, or beside the plate where a source stands free.
   std::optional<RayHit> next_hit(const Photon& photon) const;
+  /// The wall of the plate that a photon in the air beside the plate meets; empty: `next_hit` may tell.
+  std::optional<RayHit> wall_ahead(const Photon& photon) const {
+    if (!plate_ || photon.body >= 0 || has_free_sources_) return std::nullopt;
+    const core::Vec3& p = photon.position;
+    const Box& room = rooms_.front().box;
+    const bool beside = p.z() >= plate_->box.min.z() && p.z() <= plate_->box.max.z() && p.x() >= room.min.x() &&
+                        p.x() <= room.max.x() && p.y() >= room.min.y() && p.y() <= room.max.y();
+    if (!beside) return std::nullopt;
+    return wall_of_plate(photon);
+  }
 
  private:
   class Builder;
@@ -52,6 +66,8 @@ class PlanarScene {
   int room_of(const Photon& photon) const;
   int room_at(const core::Vec3& position, const core::Vec3& k) const;
   std::optional<RayHit> between_walls(const Photon& photon) const;
+  /// The wall of the plate that light beside it meets, if it meets one within its borders.
+  std::optional<RayHit> wall_of_plate(const Photon& photon) const;
   /// Where light beside the plate comes to it.
   std::optional<RayHit> entry_of_plate(const Photon& photon) const;
   bool passes_free_source(const core::Vec3& from, const core::Vec3& to) const;

@@ -134,11 +134,15 @@ TEST(PlateFresnel, PartialReflection) {
     const PlateFresnel face(mine.kz, kIndex, 1.0);
     const Bsdf::Specular s = general.specular(light.frame.k);
     const TangentialFrame frame = tangential_frame(light.frame.k);
-    const double sums = face.p_sum * face.s_sum;
-    EXPECT_NEAR(0.5 * mine.twice_power(face.p_reflected, face.s_reflected) / (sums * sums),
-                s.reflection.row(0).dot(to_film(light, frame)), 1e-12);
+    // It is reflected by numbers just below its odds, and not by those above.
+    const double sums = face.p_sum * face.s_sum, whole = sums * sums;
+    const double odds = s.reflection.row(0).dot(to_film(light, frame));
+    MeridianLight reflected = mine;
+    EXPECT_FALSE(reflected.scales_amplitudes(face.p_reflected, face.s_reflected, whole, odds + 1e-12));
+    EXPECT_EQ(reflected.Q, mine.Q);
+    ASSERT_TRUE(reflected.scales_amplitudes(face.p_reflected, face.s_reflected, whole, odds - 1e-12));
     if (sample->light.frame.k.z() < 0.0) {
-      face.reflect(mine);
+      mine = reflected;
       mine.kz = -mine.kz;
     } else {
       face.pass(mine);
