@@ -198,7 +198,9 @@ WavefrontOutside::Place WavefrontOutside::enter(Walk& walk, const RayHit& hit, i
     inside = PlanarFace<MeridianLight>(state_, side).lets_in(walk.photon, rng);
   } else {
     if (!plate_.smooth[static_cast<std::size_t>(side)]) return interact(walk, hit, optics_of(hit.quad), rng, sums);
-    inside = PlanarWall<MeridianLight>(state_, side).from_outside(walk.photon, rng) == WallEnd::kInside;
+    const WallEnd end = side < 2 ? PlanarWall<MeridianLight, true>(state_, side).from_outside(walk.photon, rng)
+                                 : PlanarWall<MeridianLight, false>(state_, side).from_outside(walk.photon, rng);
+    inside = end == WallEnd::kInside;
   }
   walk.corner = -1;
   if (!inside) return Place::kAir;
