@@ -17,14 +17,14 @@ struct BenchScene {
 /// edges, white sheet (.98) below, Lambertian light at the left end face.
 BenchScene slab_scene(const std::string& estimator = "counting");
 
-/// S2: S1 under a diffuser and the tabulated DBEF of configs/data. `estimator` of the luminance: next_event or counting
-/// (10 degree cone, 96 x 48 cells, as the default pattern has).
+/// S2 without its prism films: S1 under a diffuser and the tabulated DBEF of configs/data. `estimator` of the
+/// luminance: next_event or counting (10 degree cone, 96 x 48 cells, as the default pattern has).
 BenchScene film_scene(const std::string& estimator = "next_event");
 
-/// As S2, with crossed prism films between diffuser and DBEF.
+/// S2: the same with crossed prism films between diffuser and DBEF.
 BenchScene prism_scene(const std::string& estimator);
 
-/// As S2, with the ideal, specular DBEF: the diffuser is the topmost film that scatters.
+/// As `film_scene`, with the ideal, specular DBEF: the diffuser is the topmost film that scatters.
 BenchScene ideal_film_scene(const std::string& estimator);
 
 /// The slab of S1, lossless, with nothing on or around it.

@@ -18,11 +18,21 @@ void planar_walk(benchmark::State& state, MeasuredScene& scene) {
   state.counters["event_ns"] = 1e9 * planar.seconds_per_event();
   state.counters["event_per_R"] = planar.seconds_per_event() / scene.yardstick.seconds();
   state.counters["photons_per_s"] = 1.0 / planar.seconds_per_photon();
+  state.counters["general_event_per_R"] = general.seconds_per_event() / scene.yardstick.seconds();
+  state.counters["events_per_photon"] = planar.events_per_photon();
   state.counters["gain"] = general.seconds_per_photon() / planar.seconds_per_photon();
 }
 
 void slab_planar(benchmark::State& state) {
   planar_walk(state, measured_slab());
+}
+void prism_planar(benchmark::State& state) {
+  static MeasuredScene scene(prism_scene("next_event"));
+  planar_walk(state, scene);
+}
+void prism_planar_counting(benchmark::State& state) {
+  static MeasuredScene scene(prism_scene("counting"));
+  planar_walk(state, scene);
 }
 void film_planar(benchmark::State& state) {
   planar_walk(state, measured_films());
@@ -46,11 +56,25 @@ void slab_planar_polarization(benchmark::State& state) {
   state.counters["polarized_per_unpolarized"] = polarized.seconds_per_event() / natural.seconds_per_event();
 }
 
+void prism_planar_polarization(benchmark::State& state) {
+  static const BenchScene scene = prism_scene("counting");
+  PlanarWalker polarized(scene);
+  NaturalPlanarWalker natural(scene);
+  for (auto _ : state) {
+    polarized.slice(1000);
+    natural.slice(1000);
+  }
+  state.counters["polarized_per_unpolarized"] = polarized.seconds_per_event() / natural.seconds_per_event();
+}
+
 BENCHMARK(slab_planar)->Repetitions(7)->Unit(benchmark::kMillisecond);
+BENCHMARK(prism_planar)->Repetitions(7)->Unit(benchmark::kMillisecond);
+BENCHMARK(prism_planar_counting)->Repetitions(7)->Unit(benchmark::kMillisecond);
 BENCHMARK(film_planar)->Repetitions(7)->Unit(benchmark::kMillisecond);
 BENCHMARK(film_planar_counting)->Repetitions(7)->Unit(benchmark::kMillisecond);
 BENCHMARK(bare_slab_planar)->Repetitions(7)->Unit(benchmark::kMillisecond);
 BENCHMARK(slab_planar_polarization)->Repetitions(7)->Unit(benchmark::kMillisecond);
+BENCHMARK(prism_planar_polarization)->Repetitions(7)->Unit(benchmark::kMillisecond);
 
 /// How the cost of a photon grows: one thing of S1 or S2 changed at a time; microseconds by both paths.
 void growth(benchmark::State& state, const SceneOptions& options) {

@@ -84,30 +84,38 @@ TabulatedDbef::Incidence TabulatedDbef::incidence(const StokesVector& light) con
   return in;
 }
 
-/// Light in the outgoing tangential count per unit incident power, in the unit of `response`.
-TabulatedDbef::Light TabulatedDbef::outgoing(const Incidence& in, const SampledBsdf::Response& response,
-                                             ScatterKind kind, const Ray& out) const {
-  // Unit vector of the axis that is called tau_min's, and the signed tau_max - tau_min along it. No branches on what is
-  // random from photon to photon.
+/// Unit vector (x, y) among (q1, q2) of the axis that is called tau_min's, D = tau_max - tau_min along it, and the
+/// product of the amplitudes of both axes. No branches on what is random from photon to photon.
+struct TabulatedDbef::Lobe {
+  double S = 0.0, D = 0.0, x = 1.0, y = 0.0, cross = 0.0;
+};
+
+TabulatedDbef::Lobe TabulatedDbef::lobe(const SampledBsdf::Response& response, ScatterKind kind) const {
   const double side = 1.0 - 2.0 * static_cast<double>(kind);
   const double square = response.x * response.x + response.y * response.y;
   const double length = std::sqrt(square);
-  const double D = std::copysign(length, response.x * side + 0.0);
-  double ex = side;
-  double ey = 0.0;
+  Lobe lobe{response.S, std::copysign(length, response.x * side + 0.0), side, 0.0, 0.0};
   if (length > 0.0) {
-    const double inverse = 1.0 / D;
-    ex = response.x * inverse;
-    ey = response.y * inverse;
+    const double inverse = 1.0 / lobe.D;
+    lobe.x = response.x * inverse;
+    lobe.y = response.y * inverse;
   }
-  const double along = ex * in.q1 + ey * in.q2;
-  const double across = ex * in.q2 - ey * in.q1;
-  const double cross = response.kappa * 0.5 * std::sqrt(std::max(0.0, response.S * response.S - square));
-  const double Q = 0.5 * (response.S * along - D);
-  const double U = cross * across;
+  lobe.cross = response.kappa * 0.5 * std::sqrt(std::max(0.0, response.S * response.S - square));
+  return lobe;
+}
+
+/// Light in the outgoing tangential count per unit incident power, in the unit of `response`.
+TabulatedDbef::Light TabulatedDbef::outgoing(const Incidence& in, const SampledBsdf::Response& response,
+                                             ScatterKind kind, const Ray& out) const {
+  const double side = 1.0 - 2.0 * static_cast<double>(kind);
+  const Lobe l = lobe(response, kind);
+  const double along = l.x * in.q1 + l.y * in.q2;
+  const double across = l.x * in.q2 - l.y * in.q1;
+  const double Q = 0.5 * (l.S * along - l.D);
+  const double U = l.cross * across;
   const AxisAngle pass = pass_axis(out.cos_psi(axis_), out.sin_psi(axis_), out.sine, kDbefIndex);
   const AxisAngle chi{side * pass.cos2, side * pass.sin2};  // transmission: 90 degrees further, the block axis
-  return {0.5 * (response.S - D * along), Q * chi.cos2 - U * chi.sin2, Q * chi.sin2 + U * chi.cos2, cross * in.v};
+  return {0.5 * (l.S - l.D * along), Q * chi.cos2 - U * chi.sin2, Q * chi.sin2 + U * chi.cos2, l.cross * in.v};
 }
 
 std::optional<BsdfSample> TabulatedDbef::sample(const StokesVector& incident, core::PhotonRng& rng) const {
@@ -132,29 +140,78 @@ std::optional<BsdfSample> TabulatedDbef::sample(const StokesVector& incident, co
   return BsdfSample{light.stokes(out, k, incident.I / light.I), false};
 }
 
+/// Where the tables hold the response of one ray for another.
+struct TabulatedDbef::Way {
+  ScatterKind kind = ScatterKind::reflection;
+  double r = 0.0;  ///< to the horizon; 0: nothing goes there
+  double u = 0.0, phi = 0.0, cos_phi = 1.0, sin_phi = 0.0;
+};
+
+TabulatedDbef::Way TabulatedDbef::way(const Ray& in, const Ray& out, const Vec3& k_out) const {
+  Way to;
+  to.kind = in.sign * out.sign > 0.0 ? ScatterKind::transmission : ScatterKind::reflection;
+  const double bx = k_out.x() * in.azimuth_x + k_out.y() * in.azimuth_y - in.sine;
+  const double by = k_out.y() * in.azimuth_x - k_out.x() * in.azimuth_y;
+  const double length = std::sqrt(bx * bx + by * by);
+  if (length > 0.0) {
+    to.cos_phi = bx / length;
+    to.sin_phi = by / length;
+  }
+  to.r = horizon_distance(in.sine, in.cosine * in.cosine, to.cos_phi, to.sin_phi);
+  if (to.r > 0.0) {
+    to.u = std::sqrt(length / to.r);
+    to.phi = full_angle(to.sin_phi, to.cos_phi);
+  }
+  return to;
+}
+
 StokesVector TabulatedDbef::evaluate(const StokesVector& incident, const Vec3& k_out) const {
   const Incidence in = incidence(incident);
   const Ray out(k_out);
-  const bool through = in.ray.sign * out.sign > 0.0;
-  const ScatterKind kind = through ? ScatterKind::transmission : ScatterKind::reflection;
-  const double bx = k_out.x() * in.ray.azimuth_x + k_out.y() * in.ray.azimuth_y - in.ray.sine;
-  const double by = k_out.y() * in.ray.azimuth_x - k_out.x() * in.ray.azimuth_y;
-  const double way = std::sqrt(bx * bx + by * by);
-  const double cos_phi = way > 0.0 ? bx / way : 1.0;
-  const double sin_phi = way > 0.0 ? by / way : 0.0;
-  const double r = horizon_distance(in.ray.sine, in.cos2_sigma, cos_phi, sin_phi);
+  const Way to = way(in.ray, out, k_out);
   Light sum;
-  if (r > 0.0) {
-    const double u = std::sqrt(way / r);
-    const double phi = full_angle(sin_phi, cos_phi);
+  if (to.r > 0.0) {
     const IncidenceGrid::Cell cell = bsdf_.incidences().cell(in.psi, in.cos2_sigma);
     for (std::size_t i = 0; i < 4; ++i) {
       if (cell.weight[i] == 0.0) continue;
-      const SampledBsdf::Response response = bsdf_.response(cell.node[i], kind, u, phi, cos_phi, sin_phi);
-      sum.add(outgoing(in, response, kind, out), cell.weight[i]);
+      const SampledBsdf::Response response =
+          bsdf_.response(cell.node[i], to.kind, to.u, to.phi, to.cos_phi, to.sin_phi);
+      sum.add(outgoing(in, response, to.kind, out), cell.weight[i]);
     }
   }
-  return sum.stokes(out, k_out, r > 0.0 ? incident.I / (r * r) : 0.0);
+  return sum.stokes(out, k_out, to.r > 0.0 ? incident.I / (to.r * to.r) : 0.0);
+}
+
+StokesVector TabulatedDbef::pulled_back(const StokesVector& importance, const Vec3& k_in) const {
+  const Ray in(k_in), out(importance.frame.k);
+  const Way to = way(in, out, importance.frame.k);
+  const core::PolarizationFrame frame{k_in, in.e1()};
+  if (!(to.r > 0.0)) return StokesVector::unpolarized(0.0, frame);
+  // The importance in the outgoing tangential count, its Q and U from the axis that the outgoing light is polarized
+  // along.
+  const StokesVector w = importance.in_frame(out.e1());
+  const AxisAngle pass = pass_axis(out.cos_psi(axis_), out.sin_psi(axis_), out.sine, kDbefIndex);
+  const double side = 1.0 - 2.0 * static_cast<double>(to.kind);
+  const double wU = out.sign * w.U, wV = out.sign * w.V;
+  const double wA = side * (w.Q * pass.cos2 + wU * pass.sin2);
+  const double wB = side * (wU * pass.cos2 - w.Q * pass.sin2);
+  // `outgoing` is linear in (1, q1, q2, v): what each of them brings.
+  const double c = in.cos_psi(axis_), s = in.sin_psi(axis_);
+  double natural = 0.0, q1 = 0.0, q2 = 0.0, v = 0.0;
+  const IncidenceGrid::Cell cell = bsdf_.incidences().cell(bsdf_.incidences().psi_of(c, s), in.cosine * in.cosine);
+  for (std::size_t i = 0; i < 4; ++i) {
+    if (cell.weight[i] == 0.0) continue;
+    const Lobe l = lobe(bsdf_.response(cell.node[i], to.kind, to.u, to.phi, to.cos_phi, to.sin_phi), to.kind);
+    const double along = 0.5 * (wA * l.S - w.I * l.D), across = wB * l.cross;
+    natural += cell.weight[i] * 0.5 * (w.I * l.S - wA * l.D);
+    q1 += cell.weight[i] * (along * l.x - across * l.y);
+    q2 += cell.weight[i] * (along * l.y + across * l.x);
+    v += cell.weight[i] * wV * l.cross;
+  }
+  const double scale = 1.0 / (to.r * to.r);
+  const double film_c2 = c * c - s * s, film_s2 = 2.0 * c * s;
+  return {natural * scale, (q1 * film_c2 - q2 * film_s2) * scale, in.sign * (q1 * film_s2 + q2 * film_c2) * scale,
+          in.sign * v * scale, frame};
 }
 
 double TabulatedDbef::hemispherical(const StokesVector& incident, ScatterKind kind) const {

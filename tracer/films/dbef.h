@@ -34,6 +34,10 @@ class TabulatedDbef final : public Bsdf {
   bool scatters() const override { return true; }
   Specular specular(const core::Vec3&) const override { return {}; }
 
+  /// The importance (tracer/transport/reversed_bsdf.h) at `k_in` of light that leaves along `importance.frame.k`: M^T w
+  /// (1/sr) for the matrix M of `evaluate`. As much work as one call of it, where the matrix would take four.
+  core::StokesVector pulled_back(const core::StokesVector& importance, const core::Vec3& k_in) const;
+
   /// Share of the incident power that is reflected (transmitted) into the hemisphere.
   double hemispherical(const core::StokesVector& incident, ScatterKind kind) const;
 
@@ -45,7 +49,11 @@ class TabulatedDbef final : public Bsdf {
   struct Ray;
   struct Incidence;
   struct Light;
+  struct Lobe;
+  struct Way;
   Incidence incidence(const core::StokesVector& light) const;
+  Lobe lobe(const SampledBsdf::Response& response, ScatterKind kind) const;
+  Way way(const Ray& in, const Ray& out, const core::Vec3& k_out) const;
   Light outgoing(const Incidence& in, const SampledBsdf::Response& response, ScatterKind kind, const Ray& out) const;
 
   SampledBsdf bsdf_;

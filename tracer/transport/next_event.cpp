@@ -34,7 +34,8 @@ NextEvent::NextEvent(const Scene& scene, const DensityField& density)
       inner_min_(scene.spec.area.min.head<2>()),
       inner_max_(scene.spec.area.max.head<2>()),
       outer_min_(scene.box.min.head<2>()),
-      outer_max_(scene.box.max.head<2>()) {
+      outer_max_(scene.box.max.head<2>()),
+      per_cell_(1.0 / density.cells.grid.dx, 1.0 / density.cells.grid.dy) {
   for (const ViewerLevel& level : levels_.all()) {
     if (!level.outer) continue;
     outer_min_ = {level.min_x, level.min_y};
@@ -110,9 +111,9 @@ void NextEvent::arrive_at_pattern(const Meeting& meeting, BatchSums& sums) const
 
 void NextEvent::estimate_pattern(const Meeting& meeting, BatchSums& sums) const {
   const int level = pattern_level_[meeting.band];
-  const int cell = density_.cells.grid.nearest_index(meeting.position.x(), meeting.position.y());
-  const Vec3 weight = density_per_estimate_[static_cast<std::size_t>(cell)] * meeting.weight;
-  if (sums.log != nullptr) sums.log->begin_share(static_cast<std::size_t>(cell));
+  const std::size_t cell = cell_at(meeting.position.head<2>());
+  const Vec3 weight = density_per_estimate_[cell] * meeting.weight;
+  if (sums.log != nullptr) sums.log->begin_share(cell);
   estimate({meeting.quad, meeting.optics, meeting.light, meeting.position, meeting.band, weight}, level,
            optics_of(level, meeting.band).pattern_brdf, kPatternPart, sums);
   if (sums.log != nullptr) sums.log->end_share();

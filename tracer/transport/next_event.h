@@ -105,7 +105,15 @@ class NextEvent {
   double open_share(const ViewerArrivals& arrivals, const ViewerArrival& arrival, const core::Vec2& at) const;
   void tell_crossings(const ViewerArrivals& arrivals, const ViewerArrival& arrival, const core::Vec2& at,
                       ArrivalLog& log) const;
-  bool inside(const ViewerArrival& arrival, const core::Vec2& at) const;
+  void find_fits(ViewerArrivals& arrivals) const;
+  static bool inside(const ViewerArrival& arrival, const core::Vec2& at);
+  /// The cell of the density field at a place, as `CellGrid::nearest_index`, without divisions.
+  std::size_t cell_at(const core::Vec2& place) const {
+    const core::CellGrid& grid = density_.cells.grid;
+    const int ix = std::clamp(static_cast<int>((place.x() - grid.x0) * per_cell_.x()), 0, grid.nx - 1);
+    const int iy = std::clamp(static_cast<int>((place.y() - grid.y0) * per_cell_.y()), 0, grid.ny - 1);
+    return static_cast<std::size_t>(iy) * static_cast<std::size_t>(grid.nx) + static_cast<std::size_t>(ix);
+  }
   void renew(ViewerPool& pool, std::size_t band) const;
   void set_joins(ViewerPool& pool) const;
   void find_walls();
@@ -135,6 +143,7 @@ class NextEvent {
   std::array<bool, 4> smooth_wall_{};
   std::vector<double> density_per_estimate_;  ///< of each cell of the density field
   core::Vec2 inner_min_, inner_max_, outer_min_, outer_max_;
+  core::Vec2 per_cell_;  ///< 1/mm, of the density field
 };
 
 }  // namespace evenglow::tracer

@@ -37,12 +37,19 @@ class CellFinder {
 
 }  // namespace
 
-bool NextEvent::inside(const ViewerArrival& arrival, const Vec2& at) const {
-  const auto in = [&at](const PlaceRange& range, const Vec2& low, const Vec2& high) {
-    return at.x() + range.min.x() >= low.x() && at.x() + range.max.x() <= high.x() &&
-           at.y() + range.min.y() >= low.y() && at.y() + range.max.y() <= high.y();
-  };
-  return in(arrival.inner, inner_min_, inner_max_) && in(arrival.outer, outer_min_, outer_max_);
+/// For what the subpaths of a pool have found.
+void NextEvent::find_fits(ViewerArrivals& arrivals) const {
+  for (auto& list : arrivals.lists) {
+    for (ViewerArrival& a : list) {
+      a.fits.min = (inner_min_ - a.inner.min).cwiseMax(outer_min_ - a.outer.min);
+      a.fits.max = (inner_max_ - a.inner.max).cwiseMin(outer_max_ - a.outer.max);
+    }
+  }
+}
+
+bool NextEvent::inside(const ViewerArrival& arrival, const Vec2& at) {
+  return at.x() >= arrival.fits.min.x() && at.x() <= arrival.fits.max.x() && at.y() >= arrival.fits.min.y() &&
+         at.y() <= arrival.fits.max.y();
 }
 
 /// What of the light on this way meets the smooth part of the patterned face each time.
@@ -50,7 +57,7 @@ double NextEvent::open_share(const ViewerArrivals& arrivals, const ViewerArrival
   double share = 1.0;
   for (std::size_t i = 0; i < arrival.crossings; ++i) {
     const Vec2 place = at + arrivals.crossings[arrival.first_crossing + i];
-    share *= 1.0 - density_.at(place.x(), place.y());
+    share *= 1.0 - density_.cells.values[cell_at(place)];
   }
   return share;
 }
@@ -59,7 +66,7 @@ void NextEvent::tell_crossings(const ViewerArrivals& arrivals, const ViewerArriv
                                ArrivalLog& log) const {
   for (std::size_t i = 0; i < arrival.crossings; ++i) {
     const Vec2 place = at + arrivals.crossings[arrival.first_crossing + i];
-    log.crossing(static_cast<std::size_t>(density_.cells.grid.nearest_index(place.x(), place.y())));
+    log.crossing(cell_at(place));
   }
 }
 
@@ -79,6 +86,7 @@ void NextEvent::renew(ViewerPool& pool, std::size_t band) const {
     const View view = scene_.luminance.sample_view(Vec3::Zero(), u1, pool.rng().uniform());
     subpath_.add(view, band, pool.rng(), pool.refill());
   }
+  find_fits(pool.refill());
   pool.renewed(kSubpaths);
   set_joins(pool);
 }
@@ -103,6 +111,7 @@ void NextEvent::renew_for(const Meeting& meeting, ViewerPool& pool) const {
   const double u1 = pool.rng().uniform();
   const View view = scene_.luminance.sample_view(above, u1, pool.rng().uniform(), reach(meeting.position));
   subpath_.add(view, meeting.band, pool.rng(), pool.refill());
+  find_fits(pool.refill());
   pool.renewed(1);
 }
 

@@ -4,6 +4,7 @@
 
 #include "core/base/units.h"
 #include "core/math/sampling.h"
+#include "tracer/films/dbef.h"
 #include "tracer/optics/dielectric_face.h"
 
 namespace evenglow::tracer {
@@ -49,6 +50,7 @@ std::optional<StokesVector> step_specular(const Bsdf& surface, const StokesVecto
 
 /// M^T w of the scattering part between k_in and the importance (1/sr).
 StokesVector response(const Bsdf& surface, const StokesVector& w, const Vec3& k_in) {
+  if (const auto* table = dynamic_cast<const TabulatedDbef*>(&surface)) return table->pulled_back(w, k_in);
   const core::PolarizationFrame in = core::PolarizationFrame::any(k_in);
   const Vec3& k = w.frame.k;
   const auto sent = [&](double Q, double U, double V) {

@@ -21,8 +21,9 @@ struct PlaceRange {
 struct ViewerArrival {
   core::StokesVector importance;   ///< (reversed_bsdf.h) for light that leaves the level, per unit of radiance / n^2
   View view{core::Vec3::UnitZ()};  ///< the direction it started from
-  core::Vec2 display = core::Vec2::Zero();        ///< place where the light leaves the backlight
-  PlaceRange inner, outer;                        ///< of all later meetings with the plate and with the films around it
+  core::Vec2 display = core::Vec2::Zero();  ///< place where the light leaves the backlight
+  PlaceRange inner, outer;                  ///< of all later meetings with the plate and with the films around it
+  PlaceRange fits;  ///< places of the level from which all of these lie within their borders (`NextEvent`)
   std::size_t first_crossing = 0, crossings = 0;  ///< passages of the patterned face beside its pattern
 };
 

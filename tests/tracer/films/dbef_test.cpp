@@ -232,6 +232,28 @@ TEST_F(TabulatedDbefTest, MatricesArePhysical) {
   }
 }
 
+/// M^T w by one table look-up, against the four columns of M from `evaluate`.
+TEST_F(TabulatedDbefTest, PullsImportanceBackAsEvaluateSendsLight) {
+  core::PhotonRng rng({3, 0, 0}, 0);
+  const auto number = [&rng] { return 2.0 * rng.uniform() - 1.0; };
+  for (int i = 0; i < 400; ++i) {
+    const core::Vec3 k_in = travel(88.0 * rng.uniform(), 360.0 * rng.uniform(), i % 2 == 0);
+    const core::Vec3 k_out = travel(88.0 * rng.uniform(), 360.0 * rng.uniform(), i % 4 < 2);
+    const double angle = number();
+    const auto any = core::PolarizationFrame::any(k_out);
+    const core::PolarizationFrame frame{k_out, std::cos(angle) * any.e1 + std::sin(angle) * any.e2()};
+    const core::StokesVector importance{1.0, number(), number(), number(), frame};
+    const core::StokesVector back = film_.pulled_back(importance, k_in);
+    const core::StokesVector light{1.0, 0.5 * number(), 0.5 * number(), 0.5 * number(),
+                                   core::PolarizationFrame::any(k_in)};
+    const core::StokesVector sent = film_.evaluate(light, k_out).in_frame(frame.e1);
+    const double expected = sent.I + importance.Q * sent.Q + importance.U * sent.U + importance.V * sent.V;
+    const core::StokesVector seen = light.in_frame(back.frame.e1);
+    const double found = back.I + back.Q * seen.Q + back.U * seen.U + back.V * seen.V;
+    ASSERT_NEAR(found, expected, 1e-12 * (1.0 + sent.I)) << i;
+  }
+}
+
 TEST_F(TabulatedDbefTest, BelowIsTheMirrorImageOfAbove) {
   const core::Vec3 k = travel(40, 25), k_out = travel(30, 60, true);
   const auto flip = [](const core::Vec3& v) { return core::Vec3(v.x(), v.y(), -v.z()); };

@@ -43,15 +43,11 @@ TEST(PlanarLayers, KnowsEachKindFromBelow) {
   EXPECT_EQ(layers[0].z, -0.1);
 }
 
-TEST(PlanarLayers, BarePlateAndWhatStandsInTheAir) {
+TEST(PlanarLayers, BarePlate) {
   const PlanarLayers bare = layers_of(kPlate + kLit);
   ASSERT_EQ(bare.size(), 2u);
   EXPECT_TRUE(bare[1].last);
   EXPECT_FALSE(bare[1].air_above);
-  // A source that stands free above: only the general search knows its way.
-  const PlanarLayers beam =
-      layers_of(kPlate + "sources: [{kind: beam, face: top}], reflectors: {bottom: {}}, films: [{kind: bef}]");
-  for (std::size_t i = 0; i < beam.size(); ++i) EXPECT_FALSE(beam[i].air_above) << i;
 }
 
 }  // namespace

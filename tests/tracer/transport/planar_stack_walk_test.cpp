@@ -76,7 +76,7 @@ TEST(PlanarStackWalk, EscapesFromTheLastLayer) {
   EXPECT_EQ(bare.progress.events, 1);
   int ended = 0;
   for (int i = 0; i < 1000; ++i) {
-    const auto end = under_films.run(5, 3.0 + 0.01 * i, Vec3(0.6, 0.0, 0.8));
+    const auto end = under_films.run(5, 3.0 + 0.01 * i, Vec3(0.1, 0.7, std::sqrt(0.5)));
     ended += end == StackWalk::End::kEnded ? 1 : 0;
     if (end == StackWalk::End::kAtPlate) {
       EXPECT_EQ(under_films.walk.side(), 5);
