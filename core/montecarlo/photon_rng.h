@@ -28,11 +28,6 @@ class PhotonRng {
     state_[0] |= static_cast<std::uint64_t>((state_[0] | state_[1] | state_[2] | state_[3]) == 0);  // 0 would stay 0
   }
 
-  using State = std::array<std::uint64_t, 4>;
-  /// Goes on where the generator with this state (`state`) was.
-  explicit PhotonRng(const State& state) : state_(state) {}
-  const State& state() const { return state_; }
-
   /// Uniform in the open interval (0, 1), 53 bits.
   double uniform() { return (static_cast<double>(next() >> 11) + 0.5) * 0x1.0p-53; }
 
@@ -49,7 +44,18 @@ class PhotonRng {
     return result;
   }
 
-  State state_;
+  std::array<std::uint64_t, 4> state_;
 };
+
+/// Four words for a photon's second generator, of 32 bits: by Philox4x32-10, another function of the same key and index.
+inline std::array<std::uint32_t, 4> lane_words(const RandomKey& key, std::uint64_t photon_index) {
+  const r123::Philox4x32::key_type philox_key{
+      {static_cast<std::uint32_t>(key.seed), static_cast<std::uint32_t>(key.seed >> 32)}};
+  const r123::Philox4x32::ctr_type counter{{static_cast<std::uint32_t>(photon_index),
+                                            static_cast<std::uint32_t>(photon_index >> 32), key.stream, key.step}};
+  const auto block = r123::Philox4x32()(counter, philox_key);
+  const std::uint32_t one = (block[0] | block[1] | block[2] | block[3]) == 0 ? 1U : 0U;  // 0 would stay 0
+  return {block[0] | one, block[1], block[2], block[3]};
+}
 
 }  // namespace evenglow::core

@@ -78,7 +78,7 @@ std::vector<Case> cases() {
        "light_guide_plate: {length_mm: 30, width_mm: 20, thickness_mm: 2, entrance: {flank_deg: 35}}, " + kMirrors +
            kDots + kLeds + kCells},
       {"beam from above", kPlate + kMirrors + kDots +
-                              "sources: [{kind: beam, face: top, angle_deg: 20}], films: [{kind: sheet, thickness_mm: "
+                              "sources: [{kind: beam, face: top, angle_deg: 15}], films: [{kind: sheet, thickness_mm: "
                               "0.3}], " +
                               kCells},
       {"closed above", kPlate + "reflectors: {top: {reflectance: 0.9, gap_mm: 2}, left: {kind: mirror, gap_mm: 3}}, " +

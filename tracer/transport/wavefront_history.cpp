@@ -1,7 +1,6 @@
 #include "tracer/transport/wavefront_history.h"
 
 #include <algorithm>
-#include <array>
 #include <vector>
 
 #include "tracer/transport/wavefront_outside.h"
@@ -11,8 +10,8 @@
 namespace evenglow::tracer {
 namespace {
 
-/// Groups of lanes of a batch. From 4 to 64 it takes the same time; few groups leave few lanes idle when it ends.
-constexpr std::size_t kGroups = 8;
+/// Groups of lanes of a batch. From 2 to 32 it takes the same time; few groups leave few lanes idle when it ends.
+constexpr std::size_t kGroups = 4;
 
 /// The photons of one batch in their lanes.
 class Batch {
@@ -26,7 +25,8 @@ class Batch {
         end_(photons.first + photons.count),
         sums_(sums),
         groups_(std::min(kGroups, static_cast<std::size_t>((photons.count + kLanes - 1) / kLanes))),
-        walks_(groups_.size() * kLanes) {}
+        start_photons_(kLanes, Photon{{}, core::PhotonRng(key, 0)}),
+        photons_(groups_.size() * kLanes, start_photons_.front()) {}
 
   void run(const std::stop_token& stop) {
     for (std::size_t group = 0; group < groups_.size(); ++group) {
@@ -41,6 +41,11 @@ class Batch {
 
  private:
   using Walk = WavefrontOutside::Walk;
+  /// What the kernel does not hold of a photon.
+  struct Photon {
+    Walk walk;  ///< without place and light while the photon is in the plate
+    core::PhotonRng rng;
+  };
 
   void see_to(std::size_t group) {
     for (std::size_t lane = 0; lane < kLanes; ++lane) {
@@ -55,16 +60,18 @@ class Batch {
 
   void resolve(std::size_t group, std::size_t lane, LaneExit exit) {
     PlateLanes& g = groups_[group];
-    Walk& walk = walks_[group * kLanes + lane];
+    Photon& photon = photons_[group * kLanes + lane];
     const auto events = static_cast<std::int64_t>(g.events[lane]);
     if (exit == LaneExit::kAbsorbed) {
-      outside_.absorb(static_cast<int>(g.part[lane]), events, walk, sums_);
+      outside_.absorb(static_cast<int>(g.part[lane]), events, photon.walk, sums_);
     } else if (exit == LaneExit::kEscaped) {
-      outside_.escape({g.x[lane], g.y[lane], g.z[lane]}, {g.kx[lane], g.ky[lane], g.kz[lane]}, events, walk, sums_);
+      outside_.escape({g.x[lane], g.y[lane], g.z[lane]}, {g.kx[lane], g.ky[lane], g.kz[lane]}, events, photon.walk,
+                      sums_);
     } else {
-      core::PhotonRng rng({g.random[0][lane], g.random[1][lane], g.random[2][lane], g.random[3][lane]});
-      take(g, lane, walk);
-      if (outside_.go_on(exit, static_cast<int>(g.side[lane]), walk, rng, sums_)) return put(g, lane, walk, rng);
+      take(g, lane, photon.walk);
+      if (outside_.go_on(exit, static_cast<int>(g.side[lane]), photon.walk, photon.rng, sums_)) {
+        return put(g, lane, photon.walk);
+      }
     }
     --busy_;
     fill(group, lane);
@@ -76,13 +83,16 @@ class Batch {
     s.x = g.x[lane];
     s.y = g.y[lane];
     s.z = g.z[lane];
-    s.light.kx = g.kx[lane];
-    s.light.ky = g.ky[lane];
-    s.light.kz = g.kz[lane];
-    s.light.I = g.I[lane];
-    s.light.Q = g.Q[lane];
-    s.light.U = g.U[lane];
-    s.light.V = g.V[lane];
+    // In double precision again: a unit vector, and no more polarization than there is light.
+    const core::Vec3 k = core::Vec3(g.kx[lane], g.ky[lane], g.kz[lane]).normalized();
+    const core::Vec3 polarization(g.Q[lane], g.U[lane], g.V[lane]);
+    s.light.kx = k.x();
+    s.light.ky = k.y();
+    s.light.kz = k.z();
+    s.light.I = std::max(static_cast<double>(g.I[lane]), polarization.norm());
+    s.light.Q = polarization.x();
+    s.light.U = polarization.y();
+    s.light.V = polarization.z();
     walk.optical_depth = g.depth[lane];
     PlanarProgress& progress = outside_.progress();
     progress.missed = g.missed[lane];
@@ -95,11 +105,11 @@ class Batch {
     PlateLanes& g = groups_[group];
     if (launched_ == waiting_) launch();
     if (launched_ == waiting_) {
-      g.exit[lane] = static_cast<std::uint64_t>(LaneExit::kEmpty);
+      g.exit[lane] = static_cast<std::uint32_t>(LaneExit::kEmpty);
       return;
     }
     copy_lane(start_, launched_, g, lane);
-    walks_[group * kLanes + lane] = start_walks_[launched_++];
+    photons_[group * kLanes + lane] = start_photons_[launched_++];
     ++busy_;
   }
 
@@ -107,39 +117,43 @@ class Batch {
   void launch() {
     launched_ = waiting_ = 0;
     while (waiting_ < kLanes && next_ < end_) {
-      core::PhotonRng rng(key_, next_++);
-      Walk& walk = start_walks_[waiting_];
+      const std::uint64_t index = next_++;
+      Photon& photon = start_photons_[waiting_];
+      photon.rng = core::PhotonRng(key_, index);
       int side = -1;
-      if (!outside_.start(walk, side, rng, sums_)) continue;
-      put(start_, waiting_, walk, rng);
+      if (!outside_.start(photon.walk, side, photon.rng, sums_)) continue;
+      put(start_, waiting_, photon.walk);
+      const auto words = core::lane_words(key_, index);
+      for (std::size_t word = 0; word < 4; ++word) start_.random[word][waiting_] = words[word];
       if (side >= 0) {
-        start_.side[waiting_] = side;
-        start_.exit[waiting_] = static_cast<std::uint64_t>(LaneExit::kArrives);
+        start_.side[waiting_] = static_cast<float>(side);
+        start_.exit[waiting_] = static_cast<std::uint32_t>(LaneExit::kArrives);
       }
       ++waiting_;
     }
     enter_plate(constants_, start_);
   }
 
-  void put(PlateLanes& g, std::size_t lane, const Walk& walk, const core::PhotonRng& rng) {
+  void put(PlateLanes& g, std::size_t lane, const Walk& walk) {
+    const auto number = [](double value) { return static_cast<float>(value); };
     const auto& s = outside_.state();
-    g.x[lane] = s.x;
-    g.y[lane] = s.y;
-    g.z[lane] = s.z;
-    g.kx[lane] = s.light.kx;
-    g.ky[lane] = s.light.ky;
-    g.kz[lane] = s.light.kz;
-    g.I[lane] = s.light.I;
-    g.Q[lane] = s.light.Q;
-    g.U[lane] = s.light.U;
-    g.V[lane] = s.light.V;
-    g.depth[lane] = walk.optical_depth;
+    g.x[lane] = number(s.x);
+    g.y[lane] = number(s.y);
+    g.z[lane] = number(s.z);
+    g.kx[lane] = number(s.light.kx);
+    g.ky[lane] = number(s.light.ky);
+    g.kz[lane] = number(s.light.kz);
+    const double per_unit = 1.0 / s.light.I;  // of any size in double precision
+    g.I[lane] = 1.0F;
+    g.Q[lane] = number(s.light.Q * per_unit);
+    g.U[lane] = number(s.light.U * per_unit);
+    g.V[lane] = number(s.light.V * per_unit);
+    g.depth[lane] = number(walk.optical_depth);
     const PlanarProgress& progress = outside_.progress();
-    g.missed[lane] = progress.missed;
-    g.fate[lane] = progress.fate;
-    g.events[lane] = static_cast<double>(progress.events);
-    for (std::size_t word = 0; word < 4; ++word) g.random[word][lane] = rng.state()[word];
-    g.exit[lane] = static_cast<std::uint64_t>(LaneExit::kNone);
+    g.missed[lane] = number(progress.missed);
+    g.fate[lane] = number(progress.fate);
+    g.events[lane] = number(static_cast<double>(progress.events));
+    g.exit[lane] = static_cast<std::uint32_t>(LaneExit::kNone);
   }
 
   WavefrontOutside outside_;
@@ -149,9 +163,9 @@ class Batch {
   BatchSums& sums_;
   std::vector<PlateLanes> groups_;
   PlateLanes start_;  ///< photons that wait for a lane
-  std::array<Walk, kLanes> start_walks_;
+  std::vector<Photon> start_photons_;
   std::size_t waiting_ = 0, launched_ = 0;  ///< so many of them; so many of these have a lane
-  std::vector<Walk> walks_;                 ///< of each lane; without place and light while it is in the plate
+  std::vector<Photon> photons_;             ///< of each lane
   std::size_t busy_ = 0;                    ///< lanes with a photon
 };
 

@@ -90,6 +90,7 @@ WavefrontOutside::Place WavefrontOutside::leave(LaneExit exit, int side, Walk& w
                                                 BatchSums& sums) {
   Photon& photon = walk.photon;
   walk.corner = -1;
+  state_.clamp_into_plate();
   const int bottom = static_cast<int>(Side::kBottom);
   switch (exit) {
     case LaneExit::kNone:
@@ -114,7 +115,6 @@ WavefrontOutside::Place WavefrontOutside::leave(LaneExit exit, int side, Walk& w
       state_.leave(photon, quad_below_, state_.light.stokes());
       break;
     case LaneExit::kWallInside:
-      state_.clamp_into_plate();
       photon.light = state_.light.stokes();
       photon.body = plate_.body;
       ++progress_.events;

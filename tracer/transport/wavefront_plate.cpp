@@ -57,7 +57,7 @@ PlateConstants plate_constants(const Scene& scene, const PlanarScene& layout, co
   to.height = plate.height;
   to.per_height = plate.per_height;
   to.absorption = plate.absorption;
-  to.per_absorption = plate.absorption > 0.0 ? 1.0 / plate.absorption : 1e300;
+  to.per_absorption = plate.absorption > 0.0 ? 1.0 / plate.absorption : 1e30;
   to.part = plate.part;
   to.open_above = plate.open_above;
   to.most_events = PhotonHistory::kMaxEvents;
@@ -83,7 +83,7 @@ PlateConstants plate_constants(const Scene& scene, const PlanarScene& layout, co
   to.nx = grid.nx;
   to.ny = grid.ny;
   to.open.clear();
-  for (const double share : density.cells.values) to.open.push_back(1.0 - share);
+  for (const double share : density.cells.values) to.open.push_back(static_cast<float>(1.0 - share));
   return to;
 }
 

@@ -20,7 +20,7 @@ struct PlateConstants {
   double index = 1.5, per_index = 1.0 / 1.5;
   double height = 1.0, per_height = 1.0;
   double absorption = 0.0;      ///< 1/mm
-  double per_absorption = 0.0;  ///< mm; 1e300 where nothing is absorbed
+  double per_absorption = 0.0;  ///< mm; 1e30 where nothing is absorbed
   double part = 0.0;            ///< of the plate's bulk
   bool open_above = false;      ///< light that leaves the top meets nothing more
   double most_events = 1e6;
@@ -36,7 +36,7 @@ struct PlateConstants {
   // Cells of the density: nearest cell to x, y is ((x - x0) per_x, (y - y0) per_y), rounded down.
   double x0 = 0.0, y0 = 0.0, per_x = 1.0, per_y = 1.0;
   int nx = 1, ny = 1;
-  std::vector<double> open{1.0};  ///< 1 - density of each cell
+  std::vector<float> open{1.0F};  ///< 1 - density of each cell
 };
 
 }  // namespace evenglow::tracer

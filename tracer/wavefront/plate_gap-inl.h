@@ -1,4 +1,4 @@
-// Eight photons at horizontal reflectors: the pattern, and the sheet below the plate with the air between. Included
+// Many photons at horizontal reflectors: the pattern, and the sheet below the plate with the air between. Included
 // once for each instruction set.
 #include "tracer/wavefront/lane_state-inl.h"
 #include "tracer/wavefront/plate_constants.h"
@@ -23,9 +23,9 @@ class HorizontalStep {
     const Number zero = all(0.0);
     column = hn::Floor(hn::Min(hn::Max(column, zero), all(p_.nx - 1)));
     row = hn::Floor(hn::Min(hn::Max(row, zero), all(p_.ny - 1)));
-    // A whole number below 2^52 stands in the last bits of itself plus 2^52.
+    // A whole number below 2^23 stands in the last bits of itself plus 2^23.
     const hn::RebindToSigned<Tag> index;
-    const Number shift = all(0x1.0p52);
+    const Number shift = all(0x1.0p23);
     const auto cell = hn::Xor(hn::BitCast(index, row * all(p_.nx) + column + shift), hn::BitCast(index, shift));
     return hn::GatherIndex(Tag(), p_.open.data(), cell);
   }
@@ -85,7 +85,7 @@ class HorizontalStep {
  private:
   /// Those that reach the other side before the plate's; the others stay where they are.
   HWY_INLINE Lanes cross_gap_below(State& s, Lanes lanes) const {
-    const Number way = all(p_.below.gap) / hn::Max(hn::Abs(s.kz), all(1e-90));
+    const Number way = all(p_.below.gap) / hn::Max(hn::Abs(s.kz), all(1e-12));
     const Number x = s.x + s.kx * way;
     const Number y = s.y + s.ky * way;
     const Lanes in_x = hn::And(x > all(p_.min_x), x < all(p_.max_x));

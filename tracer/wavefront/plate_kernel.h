@@ -8,7 +8,7 @@
 #include "tracer/wavefront/plate_constants.h"
 #include "tracer/wavefront/plate_lanes.h"
 
-/// The one door to Highway: photons in the plate, eight at a time, by the widest instruction set of the machine.
+/// The one door to Highway: photons in the plate, 4 to 16 at a time, by the widest instruction set of the machine.
 namespace evenglow::tracer {
 
 /// One step of every lane of the groups whose exit is kNone: all total reflections up to a wall, a meeting with the

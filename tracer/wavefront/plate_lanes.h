@@ -8,11 +8,11 @@ namespace evenglow::tracer {
 
 /// Photons that are stepped together. The same for every instruction set: narrower registers take a group in parts, so
 /// that the order of all that is added up, and with it every bit, is the same.
-inline constexpr std::size_t kLanes = 8;
+inline constexpr std::size_t kLanes = 16;
 
 /// Why a lane needs more than the kernel does. The light of kWall and kBacking is counted in the frame
 /// of the wall (`PlanarWall`), all other light in the meridian frame (`MeridianLight`).
-enum class LaneExit : std::uint64_t {
+enum class LaneExit : std::uint32_t {
   kNone,            ///< in the plate: to be stepped on
   kEmpty,           ///< no photon
   kAbsorbed,        ///< by `part`
@@ -29,18 +29,18 @@ enum class LaneExit : std::uint64_t {
   kArrives,         ///< natural light in air at the smooth wall `side`, to be let in by `enter_plate`
 };
 
-using LaneNumbers = std::array<double, kLanes>;
-using LaneWords = std::array<std::uint64_t, kLanes>;
+using LaneNumbers = std::array<float, kLanes>;
+using LaneWords = std::array<std::uint32_t, kLanes>;
 
-/// The photons of a group: what `PlanarPlateState`, `PlanarProgress`, `MeridianLight` and `PhotonRng` hold of one, for
-/// each lane.
+/// The photons of a group: what `PlanarPlateState`, `PlanarProgress` and `MeridianLight` hold of one, for each lane, in
+/// single precision: 6e-8 of a length or an angle is far below what Monte Carlo can see. Random numbers of its own.
 struct alignas(64) PlateLanes {
   LaneNumbers x{}, y{}, z{};               ///< mm
   LaneNumbers kx{}, ky{}, kz{};            ///< direction in the medium, unit
   LaneNumbers I{}, Q{}, U{}, V{};          ///< I is the unit of the others, not a power
   LaneNumbers depth{};                     ///< optical depth left until bulk absorption
   LaneNumbers missed{}, fate{}, events{};  ///< of `PlanarProgress`
-  std::array<LaneWords, 4> random{};       ///< state of xoshiro256+
+  std::array<LaneWords, 4> random{};       ///< state of xoshiro128+
   LaneWords exit{};                        ///< LaneExit
   LaneNumbers part{};                      ///< that absorbs (kAbsorbed)
   LaneNumbers side{};                      ///< wall: 0 to 3

@@ -1,4 +1,4 @@
-// One step of eight photons in the plate. Included once for each instruction set.
+// One step of many photons in the plate. Included once for each instruction set.
 #include "tracer/wavefront/lane_state-inl.h"
 #include "tracer/wavefront/plate_constants.h"
 #include "tracer/wavefront/plate_gap-inl.h"
@@ -52,9 +52,9 @@ class Stepper {
   /// All total reflections up to the next event; for light that the faces let out, one flight.
   HWY_INLINE Flight fly(State& s, const Face& face, Lanes active) const {
     const Number zero = all(0.0);
-    const Number ax = hn::Max(hn::Abs(s.kx), all(1e-90));
-    const Number ay = hn::Max(hn::Abs(s.ky), all(1e-90));
-    const Number az = hn::Max(hn::Abs(s.kz), all(1e-90));
+    const Number ax = hn::Max(hn::Abs(s.kx), all(1e-12));
+    const Number ay = hn::Max(hn::Abs(s.ky), all(1e-12));
+    const Number az = hn::Max(hn::Abs(s.kz), all(1e-12));
     const Number inverse = all(1.0) / (ax * ay * az);
     const Number way_z = inverse * (ax * ay);
     const Number to_x = pick(s.kx > zero, max_x_ - s.x, s.x - min_x_) * (inverse * (ay * az));

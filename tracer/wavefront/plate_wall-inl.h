@@ -1,4 +1,4 @@
-// Eight photons at smooth walls of the plate and before the reflectors behind them: `PlanarWall` of
+// Many photons at smooth walls of the plate and before the reflectors behind them: `PlanarWall` of
 // tracer/transport/planar_wall.h, lane by lane. Included once for each instruction set.
 #include "tracer/wavefront/lane_state-inl.h"
 #include "tracer/wavefront/plate_constants.h"
@@ -98,7 +98,7 @@ class WallStep {
   HWY_INLINE Lanes mirrored_back(Lanes passed, const Amplitudes& amplitudes, Number u) {
     const Lanes known = hn::And(passed, of_wall(p_.backing_known) != all(0.0));
     const Number gap = of_wall(p_.backing_gap);
-    const Number way = gap / hn::Max(hn::Abs(kn_), all(1e-90));
+    const Number way = gap / hn::Max(hn::Abs(kn_), all(1e-12));
     const Lanes there = cross_gap(known, way);
     s_.leave(but_not(passed, there), LaneExit::kWall);
     s_.count(there, all(1.0));
@@ -129,7 +129,7 @@ class WallStep {
     kn_ = pick(lanes, hn::CopySignToAbs(d.z, hn::Neg(kn_)), kn_);
     kt_ = pick(lanes, d.x, kt_);
     s_.kz = pick(lanes, d.y, s_.kz);
-    const Lanes there = cross_gap(lanes, gap / hn::Max(hn::Abs(kn_), all(1e-90)));
+    const Lanes there = cross_gap(lanes, gap / hn::Max(hn::Abs(kn_), all(1e-12)));
     s_.leave(but_not(lanes, there), LaneExit::kBacking);
     s_.count(there, all(1.0));
     enter(there);

@@ -1,4 +1,4 @@
-// Polarized light of eight photons and smooth faces: `MeridianLight`, `WallTurn` and `PlateFresnel` of
+// Polarized light of many photons and smooth faces: `MeridianLight`, `WallTurn` and `PlateFresnel` of
 // tracer/transport/planar_light.h, lane by lane. Included once for each instruction set.
 #include "tracer/wavefront/vector_random-inl.h"
 
@@ -55,7 +55,7 @@ struct Stokes {
   }
   /// Keeps the unit within the range of numbers.
   HWY_INLINE void rescale() {
-    const Lanes far = hn::Or(I<all(1e-60), I> all(1e60));
+    const Lanes far = hn::Or(I<all(1e-9), I> all(1e9));
     if (HWY_LIKELY(!any(far))) return;
     const Number inverse = all(1.0) / I;
     Q = pick(far, Q * inverse, Q);
@@ -126,7 +126,7 @@ struct Amplitudes {
 HWY_INLINE Turn wall_turn(Number kn, Number kt, Number kz, Number sign) {
   const Number c = kz * kn;
   const Number norm = c * c + kt * kt;
-  const Lanes normal = norm < all(1e-30);
+  const Lanes normal = norm < all(1e-14);
   const Number inverse = all(1.0) / pick(normal, all(1.0), norm);
   const Turn turn{(c * c - kt * kt) * inverse, all(-2.0) * sign * c * kt * inverse};
   return {pick(normal, all(1.0), turn.re), hn::IfThenZeroElse(normal, turn.im)};

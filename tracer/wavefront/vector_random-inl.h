@@ -1,4 +1,4 @@
-// Random numbers of eight photons, and directions made of them. Included once for each instruction set.
+// Random numbers of many photons, and directions made of them. Included once for each instruction set.
 #include <hwy/highway.h>
 
 #include "tracer/wavefront/plate_lanes.h"
@@ -14,14 +14,14 @@ HWY_BEFORE_NAMESPACE();
 namespace evenglow::tracer::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
-using Tag = hn::CappedTag<double, kLanes>;
+using Tag = hn::CappedTag<float, kLanes>;
 using WordTag = hn::RebindToUnsigned<Tag>;
 using Number = hn::Vec<Tag>;  ///< one of each lane
 using Word = hn::Vec<WordTag>;
 using Lanes = hn::Mask<Tag>;  ///< some of the lanes
 
 HWY_INLINE Number all(double value) {
-  return hn::Set(Tag(), value);
+  return hn::Set(Tag(), static_cast<float>(value));
 }
 HWY_INLINE Number pick(Lanes lanes, Number yes, Number no) {
   return hn::IfThenElse(lanes, yes, no);
@@ -34,15 +34,15 @@ HWY_INLINE Lanes but_not(Lanes a, Lanes b) {
   return hn::AndNot(b, a);
 }
 
-/// xoshiro256+ of each lane (core/montecarlo/photon_rng.h).
+/// xoshiro128+ of each lane (Blackman & Vigna, ACM Trans. Math. Softw. 47, 2021), its state as `lane_words` draws it.
 struct Random {
   Word s0, s1, s2, s3;
 
-  /// Uniform in (0, 1), 52 bits: a number in [1, 2) from its bits, moved by half a unit of the last place.
+  /// Uniform in (0, 1), 23 bits: a number in [1, 2) from its bits, moved by half a unit of the last place.
   HWY_INLINE Number uniform() {
     const WordTag word;
-    const Word bits = hn::Or(hn::ShiftRight<12>(next()), hn::Set(word, 0x3FF0000000000000ULL));
-    return hn::BitCast(Tag(), bits) - all(1.0 - 0x1.0p-53);
+    const Word bits = hn::Or(hn::ShiftRight<9>(next()), hn::Set(word, 0x3F800000U));
+    return hn::BitCast(Tag(), bits) - all(1.0 - 0x1.0p-24);
   }
   /// Only these lanes use up a number.
   HWY_INLINE Number uniform(Lanes lanes) {
@@ -59,13 +59,13 @@ struct Random {
  private:
   HWY_INLINE Word next() {
     const Word result = s0 + s3;
-    const Word shifted = hn::ShiftLeft<17>(s1);
+    const Word shifted = hn::ShiftLeft<9>(s1);
     s2 = hn::Xor(s2, s0);
     s3 = hn::Xor(s3, s1);
     s1 = hn::Xor(s1, s2);
     s0 = hn::Xor(s0, s3);
     s2 = hn::Xor(s2, shifted);
-    s3 = hn::RotateRight<64 - 45>(s3);
+    s3 = hn::RotateRight<32 - 11>(s3);
     return result;
   }
 };
@@ -75,20 +75,15 @@ struct Direction {
   Number x, y, z;
 };
 
-/// Density cos(theta) / pi; cosine and sine of the azimuth as `core::TurnCosSin` has them.
+/// Density cos(theta) / pi; cosine and sine of the azimuth about the nearest quarter turn, as `core::TurnCosSin`.
 HWY_INLINE Direction lambertian(Number u1, Number u2) {
   const Number quarter = hn::Floor(all(4.0) * u2 + all(0.5));
   const Number a = (u2 - all(0.25) * quarter) * all(6.283185307179586476925);
   const Number a2 = a * a;
-  // Both series in pairs of terms, so that they do not wait for each other.
+  // Series to 4e-8, in pairs of terms that do not wait for each other.
   const Number a4 = a2 * a2;
-  const Number a8 = a4 * a4;
-  const auto pair = [a2](double low, double high) HWY_ATTR { return all(low) + all(high) * a2; };
-  const Number c = (pair(1.0, -0.5) + pair(1.0 / 24, -1.0 / 720) * a4) +
-                   (pair(1.0 / 40320, -1.0 / 3628800) + pair(1.0 / 479001600, -1.0 / 87178291200.0) * a4) * a8;
-  const Number s =
-      a * ((pair(1.0, -1.0 / 6) + pair(1.0 / 120, -1.0 / 5040) * a4) +
-           (pair(1.0 / 362880, -1.0 / 39916800) + pair(1.0 / 6227020800.0, -1.0 / 1307674368000.0) * a4) * a8);
+  const Number c = (all(1.0) - all(0.5) * a2) + (all(1.0 / 24) - all(1.0 / 720) * a2 + all(1.0 / 40320) * a4) * a4;
+  const Number s = a * ((all(1.0) - all(1.0 / 6) * a2) + (all(1.0 / 120) - all(1.0 / 5040) * a2) * a4);
   const Lanes odd = hn::Or(quarter == all(1.0), quarter == all(3.0));
   const Lanes left = hn::Or(quarter == all(1.0), quarter == all(2.0));
   const Lanes lower = hn::Or(quarter == all(2.0), quarter == all(3.0));

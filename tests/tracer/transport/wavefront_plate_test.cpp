@@ -77,7 +77,7 @@ TEST(WavefrontPlate, ConstantsAreThoseOfTheScene) {
   EXPECT_NEAR(c.backing_gap[1], 0.2, 1e-12);
   EXPECT_TRUE(c.all_smooth);
   EXPECT_EQ(c.nx, 4);
-  EXPECT_EQ(c.open, std::vector<double>(8, 0.75));
+  EXPECT_EQ(c.open, std::vector<float>(8, 0.75F));
 }
 
 }  // namespace

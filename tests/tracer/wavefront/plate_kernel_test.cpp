@@ -16,6 +16,9 @@ namespace {
 
 using namespace tracer;
 
+/// Rounding of some hundred steps in single precision.
+constexpr double kSingle = 2e-5;
+
 /// A plate with all that the kernel knows.
 PlateConstants plate_with_everything() {
   PlateConstants plate;
@@ -39,8 +42,8 @@ PlateConstants plate_with_everything() {
   plate.per_x = plate.per_y = 0.5;
   plate.nx = 15;
   plate.ny = 10;
-  plate.open.assign(150, 0.0);
-  for (std::size_t i = 0; i < 150; ++i) plate.open[i] = 1.0 - 0.003 * static_cast<double>(i);
+  plate.open.assign(150, 0.0F);
+  for (std::size_t i = 0; i < 150; ++i) plate.open[i] = 1.0F - 0.003F * static_cast<float>(i);
   return plate;
 }
 
@@ -63,7 +66,8 @@ PlateLanes random_lanes(std::uint64_t first) {
     lanes.depth[i] = -std::log(rng.uniform());
     lanes.missed[i] = 1.0;
     lanes.fate[i] = rng.uniform();
-    for (std::size_t word = 0; word < 4; ++word) lanes.random[word][i] = rng.state()[word];
+    const auto words = core::lane_words({5, 0, 0}, first + i);
+    for (std::size_t word = 0; word < 4; ++word) lanes.random[word][i] = words[word];
   }
   return lanes;
 }
@@ -82,10 +86,10 @@ struct InstructionSet {
   InstructionSet& operator=(const InstructionSet&) = delete;
 };
 
-/// 1600 photons until they have left the kernel, by every way that it knows.
+/// 3200 photons until they have left the kernel, by every way that it knows.
 std::vector<PlateLanes> stepped_to_the_end(const PlateConstants& plate) {
   std::vector<PlateLanes> groups;
-  for (std::uint64_t i = 0; i < 200; ++i) groups.push_back(random_lanes(8 * i));
+  for (std::uint64_t i = 0; i < 200; ++i) groups.push_back(random_lanes(kLanes * i));
   for (int step = 0; step < 400; ++step) step_plate(plate, groups.data(), groups.size());
   return groups;
 }
@@ -93,9 +97,9 @@ std::vector<PlateLanes> stepped_to_the_end(const PlateConstants& plate) {
 TEST(PlateKernel, GivesTheSameBitsByEveryInstructionSet) {
   const PlateConstants plate = plate_with_everything();
   const std::vector<PlateLanes> widest = stepped_to_the_end(plate);
-  std::set<std::uint64_t> exits;
+  std::set<std::uint32_t> exits;
   for (const PlateLanes& group : widest) exits.insert(group.exit.begin(), group.exit.end());
-  EXPECT_EQ(exits.count(static_cast<std::uint64_t>(LaneExit::kNone)), 0u);
+  EXPECT_EQ(exits.count(static_cast<std::uint32_t>(LaneExit::kNone)), 0u);
   EXPECT_GE(exits.size(), 7u);
   std::set<std::string> names;
   for (const std::int64_t set : instruction_sets()) {
@@ -116,7 +120,7 @@ TEST(PlateKernel, WhatALaneDoesDependsOnItsOwnStateAlone) {
     PlateLanes together = random_lanes(first);
     PlateLanes alone = together;
     for (std::size_t i = 0; i < kLanes; ++i) {
-      if (i != 2) alone.exit[i] = static_cast<std::uint64_t>(LaneExit::kEmpty);
+      if (i != 2) alone.exit[i] = static_cast<std::uint32_t>(LaneExit::kEmpty);
     }
     for (int step = 0; step < 30; ++step) {
       step_plate(plate, &together, 1);
@@ -138,7 +142,7 @@ TEST(PlateKernel, TotalReflectionsTurnTheLightAsTheScalarPathDoes) {
   plate.max_y = 20.0;
   plate.max_z = plate.height = 2.0;
   plate.per_height = 0.5;
-  plate.per_absorption = 1e300;
+  plate.per_absorption = 1e30;
   plate.smooth = {1.0, 1.0, 1.0, 1.0};
   int walls = 0;
   for (std::uint64_t first = 0; first < 800; first += kLanes) {
@@ -169,9 +173,9 @@ TEST(PlateKernel, TotalReflectionsTurnTheLightAsTheScalarPathDoes) {
       light.turn_phase(wall.phase_re, wall.phase_im);
       light.turn_frame(turn.cos2, turn.sin2);
       kn = -kn;
-      EXPECT_NEAR(after.Q[i], light.Q, 1e-10);
-      EXPECT_NEAR(after.U[i], light.U, 1e-10);
-      EXPECT_NEAR(after.V[i], light.V, 1e-10);
+      EXPECT_NEAR(after.Q[i], light.Q, kSingle);
+      EXPECT_NEAR(after.U[i], light.U, kSingle);
+      EXPECT_NEAR(after.V[i], light.V, kSingle);
       EXPECT_EQ(after.kx[i], light.kx);
       EXPECT_EQ(after.ky[i], light.ky);
       EXPECT_EQ(after.kz[i], light.kz);
@@ -208,7 +212,7 @@ TEST(PlateKernel, WallsAndMirrorsBehindThemKeepTheCountOfTheLight) {
   plate.max_y = 20.0;
   plate.max_z = plate.height = 2.0;
   plate.per_height = 0.5;
-  plate.per_absorption = 1e300;
+  plate.per_absorption = 1e30;
   plate.smooth = plate.backing_known = plate.backing_reflectance = plate.backing_mirrored = {1.0, 1.0, 1.0, 1.0};
   int reflected = 0, mirrored = 0;
   for (std::uint64_t first = 0; first < 1600; first += kLanes) {
@@ -241,7 +245,7 @@ TEST(PlateKernel, WallsAndMirrorsBehindThemKeepTheCountOfTheLight) {
       light.turn_frame(turn.cos2, turn.sin2);
       const MeridianLight found = light_of(after, i);
       const bool by_wall = after.events[i] == 1.0;
-      EXPECT_LT(distance(found, by_wall ? returned : light), 1e-10);
+      EXPECT_LT(distance(found, by_wall ? returned : light), kSingle);
       ++(by_wall ? reflected : mirrored);
     }
   }
@@ -255,11 +259,11 @@ TEST(PlateKernel, MirrorsThatArePrintedKeepTheCountOfTheLight) {
   plate.max_x = plate.max_y = 1000.0;
   plate.max_z = plate.height = 2.0;
   plate.per_height = 0.5;
-  plate.per_absorption = 1e300;
+  plate.per_absorption = 1e30;
   plate.smooth = {1.0, 1.0, 1.0, 1.0};
   plate.pattern_side = 4;
   plate.dots = {1.0, 1.0, 1.0, 0.0, 0.0};
-  plate.open = {0.0};
+  plate.open = {0.0F};
   for (std::uint64_t first = 0; first < 160; first += kLanes) {
     PlateLanes before = random_lanes(first);
     for (std::size_t i = 0; i < kLanes; ++i) {
@@ -285,9 +289,9 @@ TEST(PlateKernel, MirrorsThatArePrintedKeepTheCountOfTheLight) {
 TEST(PlateKernel, MeetsThePatternInTheCellWhereItIs) {
   PlateConstants plate = plate_with_everything();
   plate.absorption = 0.0;
-  plate.per_absorption = 1e300;
+  plate.per_absorption = 1e30;
   plate.dots.known = 0.0;
-  for (std::size_t i = 0; i < plate.open.size(); ++i) plate.open[i] = (i * i) % 7 == 2 ? 0.0 : 1.0;
+  for (std::size_t i = 0; i < plate.open.size(); ++i) plate.open[i] = (i * i) % 7 == 2 ? 0.0F : 1.0F;
   int met = 0, passed = 0;
   for (std::uint64_t first = 0; first < 1600; first += kLanes) {
     const PlateLanes before = random_lanes(first);
@@ -306,10 +310,10 @@ TEST(PlateKernel, MeetsThePatternInTheCellWhereItIs) {
         y = before.y[i] + ky * way;
         meets = plate.open[static_cast<std::size_t>(y / 2.0) * 15 + static_cast<std::size_t>(x / 2.0)] == 0.0;
       }
-      ASSERT_EQ(after.exit[i] == static_cast<std::uint64_t>(LaneExit::kPattern), meets);
+      ASSERT_EQ(after.exit[i] == static_cast<std::uint32_t>(LaneExit::kPattern), meets);
       if (meets) {
-        EXPECT_NEAR(after.x[i], x, 1e-9);
-        EXPECT_NEAR(after.y[i], y, 1e-9);
+        EXPECT_NEAR(after.x[i], x, 1e-4);
+        EXPECT_NEAR(after.y[i], y, 1e-4);
         EXPECT_EQ(after.z[i], 0.0);
         EXPECT_LT(after.kz[i], 0.0);
       }
@@ -335,7 +339,7 @@ TEST(PlateKernel, LetsInNaturalLightByTheFresnelShareOfEachAngle) {
   for (std::uint64_t first = 0; first < photons; first += kLanes) {
     PlateLanes lanes = random_lanes(first);
     for (std::size_t i = 0; i < kLanes; ++i) {
-      lanes.exit[i] = static_cast<std::uint64_t>(LaneExit::kArrives);
+      lanes.exit[i] = static_cast<std::uint32_t>(LaneExit::kArrives);
       lanes.side[i] = 3.0;
       lanes.kx[i] = 0.0;
       lanes.ky[i] = -cosine;
@@ -345,8 +349,8 @@ TEST(PlateKernel, LetsInNaturalLightByTheFresnelShareOfEachAngle) {
     for (std::size_t i = 0; i < kLanes; ++i) {
       const bool in = lanes.exit[i] == 0;
       inside += in ? 1.0 : 0.0;
-      EXPECT_EQ(lanes.exit[i], static_cast<std::uint64_t>(in ? LaneExit::kNone : LaneExit::kWall));
-      EXPECT_NEAR(lanes.ky[i], in ? -face.cos_t : cosine, 1e-12);
+      EXPECT_EQ(lanes.exit[i], static_cast<std::uint32_t>(in ? LaneExit::kNone : LaneExit::kWall));
+      EXPECT_NEAR(lanes.ky[i], in ? -face.cos_t : cosine, kSingle);
       EXPECT_EQ(lanes.V[i], 0.0);
     }
   }

@@ -13,7 +13,7 @@ namespace {
 using namespace tracer;
 
 /// The numbers of a group, one after the other as in memory.
-using Words = std::array<std::uint64_t, sizeof(PlateLanes) / sizeof(std::uint64_t)>;
+using Words = std::array<std::uint32_t, sizeof(PlateLanes) / sizeof(std::uint32_t)>;
 
 TEST(PlateLanes, CopiesEveryNumberOfALaneAndNoOther) {
   Words source{};
