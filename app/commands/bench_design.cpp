@@ -78,10 +78,10 @@ std::optional<BenchCase> run_case(const std::filesystem::path& file, const Optio
   const tracer::DensityField start = design::first_density(run.backlight, run.design);
   const design::DesignLimits limits = design_limits(run);
   BenchCase bench{file.stem().string(), run.title, run.backlight.luminance.cells.size(), {}};
-  tracer::BacklightSpec counted = run.backlight;
-  counted.luminance.estimator = tracer::LuminanceEstimator::kCounting;
+  Run counted = read_run(file, options, Purpose::kDesign);
+  counted.backlight.luminance.estimator = tracer::LuminanceEstimator::kCounting;
   const tracer::Scene scene = tracer::compile_scene(std::move(run.backlight));
-  const tracer::Scene counting = tracer::compile_scene(std::move(counted));
+  const tracer::Scene counting = tracer::compile_scene(std::move(counted.backlight));
   const std::uint64_t first_seed = run.trace.seed;
   for (const std::string& updater : settings.updaters) {
     for (int i = 0; i < settings.seeds; ++i) {

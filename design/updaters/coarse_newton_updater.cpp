@@ -56,29 +56,50 @@ double rms_of(const core::CellField& field) {
 /// Rows of the display: what they hold, and the cells of each.
 struct Rows {
   std::vector<std::uint32_t> of_bin;
-  Eigen::VectorXd cells, excess, luminance;
+  Eigen::VectorXd cells, excess, luminance, change;
 };
 
-Rows rows_of(const CoarseBasis& basis, const core::CellField& excess, const std::vector<double>& luminance) {
+/// `change`: of the luminance, by the ratio step.
+Rows rows_of(const CoarseBasis& basis, const core::CellField& excess, const std::vector<core::Estimate>& luminance,
+             const std::vector<core::Estimate>& change) {
   const auto count = static_cast<Index>(basis.count());
   Rows rows{basis.nearest_node(excess.grid), Eigen::VectorXd::Zero(count), Eigen::VectorXd::Zero(count),
-            Eigen::VectorXd::Zero(count)};
+            Eigen::VectorXd::Zero(count), Eigen::VectorXd::Zero(count)};
   for (std::size_t i = 0; i < rows.of_bin.size(); ++i) {
     const auto row = static_cast<Index>(rows.of_bin[i]);
     rows.cells[row] += 1.0;
     rows.excess[row] += excess.values[i];
-    rows.luminance[row] += luminance[i];
+    rows.luminance[row] += luminance[i].value;
+    rows.change[row] += change[i].value;
   }
   return rows;
+}
+
+/// Of each node, the share of the density that its tent holds.
+Eigen::VectorXd density_shares(const core::CellField& density, const CoarseBasis& basis) {
+  Eigen::VectorXd shares = Eigen::VectorXd::Zero(static_cast<Index>(basis.count()));
+  for (std::size_t i = 0; i < density.values.size(); ++i) {
+    for (const auto& part : basis.directions().of_cell[i])
+      shares[static_cast<Index>(part.direction)] += static_cast<double>(part.weight) * density.values[i];
+  }
+  return shares / shares.sum();
+}
+
+/// The step less what it would change the mean density, which is taken back (level.h).
+core::CellField at_level(core::CellField step, const core::CellField& density) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < step.values.size(); ++i) sum += step.values[i] * density.values[i];
+  const double mean = sum / (density.mean() * static_cast<double>(density.values.size()));
+  for (double& value : step.values) value -= mean;
+  return step;
 }
 
 /// Ratio steps beside what the coarse grid says of them.
 CoarseProblem coarse_problem(const DesignState& state, const CoarseBasis& basis, const core::CellField& excess,
                              const core::CellField& ratio) {
   const tracer::ArrivalRecords& records = *state.recorded.back().records;
-  std::vector<double> luminance;
-  for (const core::Estimate& total : records.at(state.density).luminance.totals()) luminance.push_back(total.value);
-  const Rows rows = rows_of(basis, excess, luminance);
+  const Rows rows = rows_of(basis, excess, records.at(state.density).luminance.totals(),
+                            records.derivative(state.density, ratio).totals());
   tracer::RecordedSlopes slopes = records.jacobian(state.density, basis.directions(), rows.of_bin, basis.count());
   const auto nodes = static_cast<Index>(basis.count());
   CoarseProblem problem;
@@ -91,17 +112,20 @@ CoarseProblem coarse_problem(const DesignState& state, const CoarseBasis& basis,
       slopes.mean.row(row).setZero();
       continue;
     }
-    e[row] = rows.excess[row] / rows.cells[row];
+    e[row] = rows.excess[row] / rows.cells[row] + rows.change[row] / rows.luminance[row];
     slopes.mean.row(row) /= rows.luminance[row];
     problem.ridge += weights[row] * slopes.variance.row(row).transpose() / std::pow(rows.luminance[row], 2);
   }
   weights /= weights.sum();
   problem.jacobian = slopes.mean.rowwise() - (weights.transpose() * slopes.mean).eval();  // the mean is no excess
+  // Nor does the level change: a correction of all cells alike is taken back.
+  const Eigen::VectorXd shares = density_shares(state.density.cells, basis);
+  problem.jacobian -= (problem.jacobian.rowwise().sum() * shares.transpose()).eval();
   const std::vector<double> step = basis.means(ratio);
   problem.proposed = Eigen::Map<const Eigen::VectorXd>(step.data(), nodes);
   e.array() -= weights.dot(e);
   const Eigen::VectorXd roots = weights.cwiseSqrt();
-  problem.residual = roots.cwiseProduct(e + problem.jacobian * problem.proposed);
+  problem.residual = roots.cwiseProduct(e);
   problem.jacobian = (roots.asDiagonal() * problem.jacobian).eval();
   problem.ridge.array() += kLeastRidge * problem.jacobian.squaredNorm() / static_cast<double>(nodes);
   problem.largest_step = kLargest;
@@ -121,7 +145,8 @@ class CoarseNewtonUpdater final : public Updater {
       const core::CellGrid& cells = state.density.cells.grid;
       const CoarseBasis basis(cells, std::min(spec.coarse_newton.nx, cells.nx),
                               std::min(spec.coarse_newton.ny, cells.ny));
-      const core::CellField correction = basis.field(solve(coarse_problem(state, basis, excess.field, step)));
+      const core::CellField correction =
+          basis.field(solve(coarse_problem(state, basis, excess.field, at_level(step, state.density.cells))));
       for (std::size_t i = 0; i < step.values.size(); ++i) step.values[i] += correction.values[i];
     }
     Proposal proposal = take_step(state, spec, step);

@@ -138,11 +138,12 @@ TEST(PathReuse, LetsTheLevelBeChosenAtTheStart) {
   const ForwardModel model = traced_model(scene, options_of(6));
   DesignSpec spec = spec_of("path_reuse");
   spec.level.reset();
-  spec.stop_rms = 0.03;
+  spec.stop_rms = 0.01;
   const DesignLimits limits{40'000, 160'000};
-  const DesignProgress progress =
-      run_design(model, spec, limits, start_design(initial_density(scene.spec), spec, limits),
-                 [](const StepRecord&, const DesignProgress&) {});
+  tracer::DensityField start = initial_density(scene.spec);
+  for (double& density : start.cells.values) density = 0.3;
+  const DesignProgress progress = run_design(model, spec, limits, start_design(std::move(start), spec, limits),
+                                             [](const StepRecord&, const DesignProgress&) {});
   EXPECT_GT(progress.steps.front().rms_corrected.value, 0.3);
   EXPECT_GT(progress.steps.front().level_photons, 0U);
   ASSERT_GT(progress.steps.size(), 2U);
