@@ -92,5 +92,11 @@ TEST(StokesVector, ScalesAllComponents) {
   EXPECT_EQ(StokesVector{}.degree_of_polarization(), 0.0);
 }
 
+TEST(StokesVector, LinearAndCircularPartsCountForTheDegreeOfPolarization) {
+  EXPECT_DOUBLE_EQ((StokesVector{2.0, 0.0, 0.0, -2.0, {}}).degree_of_polarization(), 1.0);
+  EXPECT_DOUBLE_EQ((StokesVector{1.0, 0.3, 0.0, 0.4, {}}).degree_of_polarization(), 0.5);
+  EXPECT_DOUBLE_EQ((StokesVector{1.0, 0.0, 0.6, 0.0, {}}).degree_of_polarization(), 0.6);
+}
+
 }  // namespace
 }  // namespace evenglow::core
