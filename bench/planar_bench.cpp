@@ -5,13 +5,16 @@
 namespace evenglow::bench {
 namespace {
 
+/// Photons of a slice of some milliseconds, as the others are: shorter ones would count the filling of the caches.
+constexpr std::uint64_t kPlatePhotons = 8000, kFilmPhotons = 2000;
+
 /// The planar path, slice by slice with the general path and the yardstick: all see the same clock rate and neighbors.
-void planar_walk(benchmark::State& state, MeasuredScene& scene) {
+void planar_walk(benchmark::State& state, MeasuredScene& scene, std::uint64_t photons) {
   PlanarWalker planar(scene.bench);
   GeneralWalker general(scene.bench);
   scene.yardstick.reset();
   for (auto _ : state) {
-    planar.slice(2000);
+    planar.slice(photons);
     general.slice();
     scene.yardstick.measure();
   }
@@ -24,34 +27,34 @@ void planar_walk(benchmark::State& state, MeasuredScene& scene) {
 }
 
 void slab_planar(benchmark::State& state) {
-  planar_walk(state, measured_slab());
+  planar_walk(state, measured_slab(), kPlatePhotons);
 }
 void prism_planar(benchmark::State& state) {
   static MeasuredScene scene(prism_scene("next_event"));
-  planar_walk(state, scene);
+  planar_walk(state, scene, kFilmPhotons);
 }
 void prism_planar_counting(benchmark::State& state) {
   static MeasuredScene scene(prism_scene("counting"));
-  planar_walk(state, scene);
+  planar_walk(state, scene, kFilmPhotons);
 }
 void film_planar(benchmark::State& state) {
-  planar_walk(state, measured_films());
+  planar_walk(state, measured_films(), kFilmPhotons);
 }
 void film_planar_counting(benchmark::State& state) {
   static MeasuredScene scene(film_scene("counting"));
-  planar_walk(state, scene);
+  planar_walk(state, scene, kFilmPhotons);
 }
 void bare_slab_planar(benchmark::State& state) {
   static MeasuredScene scene(bare_slab_scene());
-  planar_walk(state, scene);
+  planar_walk(state, scene, kPlatePhotons);
 }
 
 void slab_planar_polarization(benchmark::State& state) {
   PlanarWalker polarized(measured_slab().bench);
   NaturalPlanarWalker natural(measured_slab().bench);
   for (auto _ : state) {
-    polarized.slice(2000);
-    natural.slice(2000);
+    polarized.slice(kPlatePhotons);
+    natural.slice(kPlatePhotons);
   }
   state.counters["polarized_per_unpolarized"] = polarized.seconds_per_event() / natural.seconds_per_event();
 }

@@ -29,9 +29,9 @@ class PlanarCells {
   double row(double y) const { return (y - y0_) * per_y_; }
   double columns_per(double dx) const { return dx * per_x_; }
   double rows_per(double dy) const { return dy * per_y_; }
-  std::size_t cell(double column, double row) const {
-    return static_cast<std::size_t>(clamped(static_cast<int>(row), ny_)) * static_cast<std::size_t>(nx_) +
-           static_cast<std::size_t>(clamped(static_cast<int>(column), nx_));
+  [[gnu::always_inline]] std::size_t cell(double column, double row) const {
+    const int ix = held(static_cast<int>(column), nx_), iy = held(static_cast<int>(row), ny_);
+    return static_cast<std::size_t>(iy) * static_cast<std::size_t>(nx_) + static_cast<std::size_t>(ix);
   }
 
   /// 1 - density: what of the cell is bare.
@@ -40,7 +40,12 @@ class PlanarCells {
   double depth(std::size_t cell) const { return depths_[cell]; }
 
  private:
-  static int clamped(int index, int count) { return index < 0 ? 0 : index >= count ? count - 1 : index; }
+  /// Nearly all are in the range: one comparison, and a branch that is seldom taken.
+  [[gnu::always_inline]] static int held(int index, int count) {
+    if (static_cast<unsigned>(index) < static_cast<unsigned>(count)) [[likely]]
+      return index;
+    return index < 0 ? 0 : count - 1;
+  }
 
   double x0_, y0_, per_x_, per_y_;
   int nx_, ny_;

@@ -25,7 +25,8 @@ PlainReflector PlainReflector::of(const Bsdf* optics, int part) {
   const auto* plain = dynamic_cast<const OpaqueReflector*>(optics);
   if (plain == nullptr) return {};
   const double mirrored = plain->reflectance() * plain->specular_share();
-  return {true, plain->reflectance(), mirrored, part, mirrored > 0.0 ? 1.0 / mirrored : 0.0};
+  const auto inverse = [](double share) { return share > 0.0 ? 1.0 / share : 0.0; };
+  return {true, plain->reflectance(), mirrored, part, inverse(mirrored), inverse(plain->reflectance() - mirrored)};
 }
 
 std::optional<PlanarPlate> PlanarPlate::of(const Scene& scene, const PlanarScene& layout, std::size_t band) {

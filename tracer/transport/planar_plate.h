@@ -14,7 +14,11 @@ struct PlainReflector {
   double reflectance = 0.0;
   double mirrored = 0.0;  ///< share of the incident light
   int part = 0;
-  double per_mirrored = 0.0;  ///< 1 / mirrored, if there is any
+  double per_mirrored = 0.0;   ///< 1 / mirrored, if there is any
+  double per_scattered = 0.0;  ///< 1 / (reflectance - mirrored), likewise
+
+  /// A uniform number again, of one that has turned out to lie between `mirrored` and `reflectance`.
+  double again(double uniform) const { return (uniform - mirrored) * per_scattered; }
 
   static PlainReflector of(const Bsdf* optics, int part);
 };

@@ -117,7 +117,7 @@ class PlanarStackWalk {
       k.mirror();
       k.kz = -k.kz;
     } else {
-      const core::Vec3 out = core::draw_lambertian(rng);
+      const core::Vec3 out = core::draw_lambertian(rng, layer.reflector.again(u));
       k.forget_polarization();
       k.kx = out.x();
       k.ky = out.y();

@@ -30,6 +30,20 @@ TEST(PlanarPlate, TakesWhatTheSceneSays) {
   for (const bool smooth : plate->smooth) EXPECT_TRUE(smooth);
 }
 
+TEST(PlanarPlate, UniformNumbersAreUsedAgain) {
+  const auto plate = plate_of(
+      "light_guide_plate: {length_mm: 20, width_mm: 10, thickness_mm: 2}, microstructure: {cells: [4, 2], density: "
+      "0.2, "
+      "reflectance: 0.8, specular_share: 0.25}, " +
+      kLit);
+  ASSERT_TRUE(plate && plate->dots.known);
+  EXPECT_DOUBLE_EQ(plate->dots.mirrored, 0.2);
+  EXPECT_DOUBLE_EQ(plate->dots.per_mirrored, 5.0);
+  EXPECT_NEAR(plate->dots.again(0.2), 0.0, 1e-15);
+  EXPECT_NEAR(plate->dots.again(0.5), 0.5, 1e-15);
+  EXPECT_NEAR(plate->dots.again(0.8), 1.0, 1e-15);
+}
+
 TEST(PlanarPlate, KnowsSerratedWallsAndMissingPlates) {
   const auto serrated =
       plate_of("light_guide_plate: {length_mm: 20, width_mm: 10, thickness_mm: 2, entrance: {flank_deg: 35}}, " + kLit);
