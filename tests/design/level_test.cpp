@@ -57,7 +57,7 @@ TEST(Level, CellsAtALimitAreCounted) {
 
 TEST(Level, TheShapeIsMadeSymmetricAndItsSlopesBoundedIfThatIsWished) {
   DesignSpec spec = limits(0.01, 0.8);
-  spec.symmetry = "x";
+  spec.symmetry = std::string(1, 'x');
   const auto mirrored = with_level(density_of({0.1, 0.2, 0.3}), 0.2, spec).density.cells.values;
   EXPECT_DOUBLE_EQ(mirrored[0], mirrored[2]);
   spec.symmetry = "none";
