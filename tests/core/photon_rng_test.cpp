@@ -97,5 +97,26 @@ TEST(PhotonRng, NeighboringKeysAreIndependent) {
   }
 }
 
+/// The words of a photon's second generator fill the square evenly with those of its neighbors and with its first.
+TEST(LaneWords, AreIndependentOfNeighborsAndOfTheFirstGenerator) {
+  constexpr int kSide = 16;
+  constexpr int kPairs = 100000;
+  const double chance = tests::sidak(1e-3, 4);
+  for (int field = 0; field < 4; ++field) {
+    std::vector<double> counts(kSide * kSide, 0.0);
+    for (std::uint32_t i = 0; i < kPairs; ++i) {
+      const RandomKey a{1, 0, i};
+      RandomKey b = a;
+      if (field == 1) b.seed = 2;
+      if (field == 2) b.stream = 1;
+      const double x = lane_words(a, 7)[i % 4] * 0x1.0p-32;
+      const double y = field == 3 ? PhotonRng(a, 7).uniform() : lane_words(b, field == 0 ? 8 : 7)[i % 4] * 0x1.0p-32;
+      counts[static_cast<std::size_t>(x * kSide) * kSide + static_cast<std::size_t>(y * kSide)] += 1.0;
+    }
+    const std::vector<double> expected(counts.size(), static_cast<double>(kPairs) / (kSide * kSide));
+    EXPECT_GT(tests::chi_square_test(counts, expected).p_value, chance) << field;
+  }
+}
+
 }  // namespace
 }  // namespace evenglow::core

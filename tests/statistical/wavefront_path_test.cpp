@@ -1,5 +1,7 @@
 #include <cmath>
 #include <cstdio>
+#include <fstream>
+#include <iterator>
 #include <string>
 #include <vector>
 
@@ -139,6 +141,27 @@ TEST(WavefrontPathLong, AgreesOnTheBenchmarksScenes) {
 
 TEST(WavefrontPathLong, AgreesInEveryKindOfScene) {
   for (const Case& c : cases()) expect_agreement(c.name, scene_of(c.yaml), {20'000'000, 31, 200, 2}, 0.08);
+}
+
+/// A shipped backlight whose luminance is counted.
+Scene counted_config(const std::string& file, const std::string& variant) {
+  const std::string path = std::string(EVENGLOW_SOURCE_DIR) + "/configs/" + file;
+  std::ifstream stream(path);
+  std::string text{std::istreambuf_iterator<char>(stream), {}};
+  const std::string cone = "cone_deg: 10,";
+  text.replace(text.find(cone), cone.size(), cone + " estimator: counting,");
+  auto document = core::ConfigDocument::parse(text, path);
+  for (const auto& [name, changes] : document.variants()) {
+    if (name != variant) continue;
+    for (const auto& change : changes) document.apply(change);
+  }
+  return compile_scene(read_backlight(document.root().map("backlight", "the backlight")));
+}
+
+TEST(WavefrontPathLong, AgreesForTheMainJob) {
+  for (const char* variant : {"lpp", "dbef", "dbef_lpp"}) {
+    expect_agreement(variant, counted_config("dbef_vs_lpp.yaml", variant), {20'000'000, 71, 200, 2}, 0.08);
+  }
 }
 
 }  // namespace

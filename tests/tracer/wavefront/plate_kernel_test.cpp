@@ -1,7 +1,10 @@
 #include "tracer/wavefront/plate_kernel.h"
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <set>
 #include <string>
 #include <vector>
@@ -253,6 +256,23 @@ TEST(PlateKernel, WallsAndMirrorsBehindThemKeepTheCountOfTheLight) {
   EXPECT_GT(mirrored, 200);
 }
 
+/// xoshiro128+ as its authors give it.
+struct Xoshiro128 {
+  std::array<std::uint32_t, 4> s;
+
+  float uniform() {
+    const std::uint32_t result = s[0] + s[3];
+    const std::uint32_t shifted = s[1] << 9;
+    s[2] ^= s[0];
+    s[3] ^= s[1];
+    s[1] ^= s[2];
+    s[0] ^= s[3];
+    s[2] ^= shifted;
+    s[3] = std::rotl(s[3], 11);
+    return (static_cast<float>(result >> 9) + 0.5F) * 0x1.0p-23F;
+  }
+};
+
 /// The pattern as a perfect mirror, at each arrival: the light is turned as at an ideal mirror.
 TEST(PlateKernel, MirrorsThatArePrintedKeepTheCountOfTheLight) {
   PlateConstants plate;
@@ -279,7 +299,10 @@ TEST(PlateKernel, MirrorsThatArePrintedKeepTheCountOfTheLight) {
       EXPECT_EQ(distance(light_of(after, i), light), 0.0);
       EXPECT_EQ(after.z[i], 0.0);
       EXPECT_EQ(after.missed[i], 1.0);
-      EXPECT_NE(after.fate[i], before.fate[i]);
+      Xoshiro128 random{{before.random[0][i], before.random[1][i], before.random[2][i], before.random[3][i]}};
+      EXPECT_EQ(after.fate[i], random.uniform());
+      for (int drawn = 1; drawn < 4; ++drawn) random.uniform();
+      for (std::size_t word = 0; word < 4; ++word) EXPECT_EQ(after.random[word][i], random.s[word]);
     }
   }
 }
