@@ -28,6 +28,11 @@ install(FILES ${CMAKE_CURRENT_LIST_DIR}/evenglow.bash DESTINATION ${CMAKE_INSTAL
         RENAME evenglow)
 install(FILES ${CMAKE_CURRENT_LIST_DIR}/evenglow.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
 
+# The bill of materials of the program that is installed, from the packages of the machine that built it.
+install(CODE "execute_process(COMMAND \"${CMAKE_SOURCE_DIR}/scripts/sbom\" \"$<TARGET_FILE:evenglow>\"
+                              OUTPUT_FILE \"${CMAKE_CURRENT_BINARY_DIR}/sbom.spdx.json\" COMMAND_ERROR_IS_FATAL ANY)")
+install(FILES ${CMAKE_CURRENT_BINARY_DIR}/sbom.spdx.json DESTINATION ${CMAKE_INSTALL_DOCDIR})
+
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME evenglow)
 set(CPACK_PACKAGE_VENDOR "Evenglow")

@@ -43,7 +43,7 @@ class ThreadLink final : public core::RankLink {
     }
     for (int waited = 0; hub_->round == round; ++waited) {
       hub_->changed.wait_for(lock, std::chrono::milliseconds(10));
-      if (stop.stop_requested() && waited > 300) throw core::RankLost("another rank does not answer");
+      if (stop.stop_requested() && waited > 100) throw core::RankLost("another rank does not answer");
     }
     return hub_->whole;  // the next gathering cannot end before all have left this one
   }

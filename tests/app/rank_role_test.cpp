@@ -1,0 +1,71 @@
+#include "app/rank_role.h"
+
+#include <mutex>
+#include <set>
+
+#include <gtest/gtest.h>
+
+#include "tests/support/temp_folder.h"
+#include "tests/support/thread_ranks.h"
+
+/// Ranks as threads of this process.
+namespace evenglow::tests {
+namespace {
+
+namespace fs = std::filesystem;
+
+TEST(RankRole, AloneChangesNothing) {
+  core::RankGroup alone;
+  app::Options options;
+  options.out = "out";
+  options.threads = 3;
+  const app::RankRole role(alone, options, "out", {});
+  EXPECT_EQ(role.options().ranks, nullptr);
+  EXPECT_FALSE(role.options().helper);
+  EXPECT_EQ(role.options().out, "out");
+  EXPECT_EQ(role.options().threads, 3);
+}
+
+TEST(RankRole, HelpersHaveTheStateOfRankZeroInFoldersOfTheirOwn) {
+  const TempFolder folder;
+  fs::create_directories(folder / "out" / "lpp");
+  write_text(folder / "out" / "lpp" / "checkpoint.json", "state");
+  write_text(folder / "out" / "luminance.csv", "not needed");
+  std::mutex mutex;
+  std::set<fs::path> places;
+  on_ranks(3, [&](int rank, std::unique_ptr<core::RankLink> link) {
+    core::RankGroup ranks(std::move(link));
+    app::Options options;
+    options.resume = true;
+    options.out = folder / "out";
+    {
+      const app::RankRole role(ranks, options, folder / "out", {});
+      const app::Options& own = role.options();
+      EXPECT_EQ(own.ranks, &ranks);
+      EXPECT_EQ(own.helper, rank > 0);
+      EXPECT_EQ(own.quiet, rank > 0);
+      EXPECT_GE(own.threads, 1);
+      EXPECT_EQ(file_text(own.out / "lpp" / "checkpoint.json"), "state");
+      EXPECT_EQ(fs::exists(own.out / "luminance.csv"), rank == 0);
+      const std::lock_guard lock(mutex);
+      places.insert(own.out);
+    }
+    ranks.finish("", 0);
+  });
+  EXPECT_EQ(places.size(), 3u);
+  for (const fs::path& place : places) EXPECT_EQ(fs::exists(place), place == folder / "out");
+}
+
+TEST(RankRole, AStateThatIsCutIsRefused) {
+  const TempFolder folder;
+  write_text(folder / "a.json", std::string(100, 'x'));
+  const std::string bytes = app::packed_state(folder.path());
+  const TempFolder other;
+  EXPECT_THROW(app::unpack_state(bytes.substr(0, bytes.size() - 1), other.path()), std::exception);
+  app::unpack_state(bytes, other.path());
+  EXPECT_EQ(file_text(other / "a.json"), file_text(folder / "a.json"));
+  EXPECT_EQ(app::packed_state(folder / "nowhere"), "");
+}
+
+}  // namespace
+}  // namespace evenglow::tests
