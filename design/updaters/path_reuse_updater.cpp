@@ -70,10 +70,13 @@ Proposal reuse_paths(const DesignState& state, const DesignSpec& spec) {
   proposal.level_change = proposal.density.cells.mean() / state.density.cells.mean();
   proposal.foreseen_rms = std::max(foreseen, 0.0);
   proposal.method = "path_reuse";
+  const std::string there =
+      foreseen > 0.0 ? fmt::format("RMS {:.2f} %", 100.0 * foreseen) : "no RMS beyond their noise";
   proposal.note = fmt::format(
-      "path_reuse: {} inner steps on the histories of {} traces ({:.0f} % effective), RMS {:.2f} % there, {:.2f} % "
-      "noise in the step; {}.",
-      steps, state.recorded.size(), 100.0 * share, 100.0 * foreseen, 100.0 * proposal.noise_left.value_or(0.0), end);
+      "path_reuse: {} inner steps on the histories of {} trace{}, worth {:.0f} % of the last one; {} by these "
+      "histories, {:.2f} % noise in the step; {}.",
+      steps, state.recorded.size(), state.recorded.size() == 1 ? "" : "s", 100.0 * share, there,
+      100.0 * proposal.noise_left.value_or(0.0), end);
   return proposal;
 }
 
