@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <deque>
+#include <map>
 #include <set>
 #include <string>
 #include <utility>
@@ -50,6 +51,8 @@ class Explorer {
       waiting_.pop_front();
       try_changes(changes);
     }
+    for (DeclaredKey& key : found_)
+      key.required = always_[{key.node, key.kind}].contains(key.key) || is_told_in_words(key);
     return std::move(found_);
   }
 
@@ -62,9 +65,28 @@ class Explorer {
     } catch (const core::Error&) {  // what was declared until then counts
     }
     const std::vector<DeclaredKey> declared = document.declared();
+    note_required(declared, document.mentioned());
     for (const DeclaredKey& key : declared) note(key, changes);
     for (const core::MentionedKey& key : document.mentioned()) note(key, changes);
   }
+
+  /// A key is required if every run that reads its map (of its kind) demands it: others may be demanded by the value of
+  /// another key only, as the bound of a goal is.
+  void note_required(const std::vector<DeclaredKey>& declared, const std::vector<core::MentionedKey>& mentioned) {
+    std::map<MapOfKind, std::set<std::string>> demanded;
+    for (const core::MentionedKey& key : mentioned) demanded[{key.node, key.kind}];
+    for (const DeclaredKey& key : declared) {
+      std::set<std::string>& keys = demanded[{key.node, key.kind}];
+      if (key.required) keys.insert(key.key);
+    }
+    for (const auto& [map, keys] : demanded) {
+      const auto [known, is_new] = always_.try_emplace(map, keys);
+      if (!is_new) std::erase_if(known->second, [&](const std::string& key) { return !keys.contains(key); });
+    }
+  }
+
+  /// Its absence is told in words of its own, so that its declaration does not say that it is required.
+  static bool is_told_in_words(const DeclaredKey& key) { return key.node.empty() && key.key == "backlight"; }
 
   /// A key of unknown type: one of these will be taken.
   void note(const core::MentionedKey& key, const Changes& changes) {
@@ -75,7 +97,8 @@ class Explorer {
   void note(const DeclaredKey& key, const Changes& changes) {
     if (!known_.insert(key.node + '\n' + key.kind + '\n' + key.key + '\n' + key.type).second) return;
     found_.push_back(key);
-    found_.back().required = key.required && is_bare(key, changes);
+    // Another version is read, so that its fault is told in words, but not allowed.
+    if (key.node.empty() && key.key == "evenglow") found_.back().range = core::Range::closed(1, 1);
     if (is_unjudged(key, changes)) return;
     for (const std::string& value : samples(key)) enqueue(changes, path_of(key.node, key.key), value);
   }
@@ -90,16 +113,6 @@ class Explorer {
     return has_kinds && std::none_of(changes.begin(), changes.end(), [&](const auto& c) { return c.first == kind; });
   }
 
-  /// Holds the map of the key nothing but its kind? Else the key may be demanded by another one only.
-  static bool is_bare(const DeclaredKey& key, const Changes& changes) {
-    const std::string inside = path_of(key.node, "");
-    return std::none_of(changes.begin(), changes.end(), [&](const auto& change) {
-      const std::string& path = change.first;
-      return path.starts_with(inside) && path.find('.', inside.size()) == std::string::npos &&
-             path.substr(inside.size()) != "kind" && path != "backlight";
-    });
-  }
-
   void enqueue(const Changes& changes, const std::string& path, const std::string& value) {
     Changes more = changes;
     std::erase_if(more, [&](const auto& change) { return change.first == path; });
@@ -107,7 +120,10 @@ class Explorer {
     waiting_.push_back(std::move(more));
   }
 
+  using MapOfKind = std::pair<std::string, std::string>;  ///< node and kind
+
   std::set<std::string> known_;
+  std::map<MapOfKind, std::set<std::string>> always_;  ///< required in every run so far
   std::vector<DeclaredKey> found_;
   std::deque<Changes> waiting_;
 };

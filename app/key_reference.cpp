@@ -69,8 +69,9 @@ std::string key_reference(const std::vector<DeclaredKey>& keys) {
   });
   std::string text =
       "# Keys of the run file\n\nMade by `evenglow schema --reference` from the declarations that read the file. The "
-      "unit of a number is the ending of its key. `[]` stands for each item of a list. Any map but the top may hold "
-      "`include: FILE`, a file that holds its keys. Prose with examples: [run_file.md](run_file.md).\n";
+      "unit of a number is the ending of its key. `[]` stands for each item of a list. Any map, the top too, may "
+      "hold `include: FILE`, a file that holds more of its keys: then what is required may stand there. Prose with "
+      "examples: [run_file.md](run_file.md).\n";
   const DeclaredKey* last = nullptr;
   for (const DeclaredKey* key : sorted) {
     if (last == nullptr || last->node != key->node || last->kind != key->kind) text += heading(*key);

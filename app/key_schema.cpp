@@ -74,8 +74,11 @@ class SchemaWriter {
     if (key.type == "maps") return {{"type", "array"}, {"items", map_schema(path + "[]")}, {"maxItems", key.max_count}};
     if (key.type == "boolean") return {{"type", "boolean"}};
     if (key.type == "choice") return {{"enum", words(key.options)}};
-    if (key.type == "choices")
-      return {{"type", "array"}, {"items", {{"enum", words(key.options)}}}, {"uniqueItems", true}};
+    if (key.type == "choices") {
+      Json list = {{"type", "array"}, {"items", {{"enum", words(key.options)}}}, {"uniqueItems", true}};
+      if (path == "output") list["minItems"] = 1;
+      return list;
+    }
     if (key.type == "file") return {{"type", "string"}};
     if (key.type == "text") return {{"type", {"string", "number", "boolean"}}};
     Json number = {{"type", key.type == "integer" || key.type == "count" || key.whole ? "integer" : "number"}};
@@ -134,15 +137,9 @@ class SchemaWriter {
       properties[key->key] = schema;
       if (key->required) required.insert(key->key);
     }
-    if (!path.empty())
-      properties["include"] = {{"type", "string"}, {"description", "file that holds the keys of this map"}};
+    properties["include"] = {{"type", "string"}, {"description", "file that holds more keys of this map"}};
     Json schema = {{"type", "object"}, {"properties", properties}, {"additionalProperties", false}};
-    if (required.empty()) return schema;
-    if (path.empty()) {
-      schema["required"] = required;
-    } else {
-      schema["anyOf"] = {{{"required", required}}, {{"required", {"include"}}}};
-    }
+    if (!required.empty()) schema["anyOf"] = {{{"required", required}}, {{"required", {"include"}}}};
     return schema;
   }
 

@@ -1,7 +1,8 @@
+#include <algorithm>
 #include <csignal>
-#include <cstdio>
 #include <exception>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <CLI/CLI.hpp>
@@ -13,6 +14,7 @@
 #include "app/commands/film.h"
 #include "app/interrupt.h"
 #include "app/output_directory.h"
+#include "app/progress.h"
 #include "app/rank_role.h"
 #include "app/repeating_command.h"
 #include "core/base/error.h"
@@ -139,6 +141,11 @@ std::string unknown_command(const CLI::App& program, const std::string& word) {
          (meant ? ", did you mean " + *meant + "?" : "");
 }
 
+/// Asked for on the command line, which may be wrong elsewhere.
+bool wants_json(int argc, char** argv) {
+  return std::any_of(argv, argv + argc, [](const char* word) { return std::string_view(word) == "--json-progress"; });
+}
+
 /// A wrong command line in one line, and where to find the right one.
 int refuse(const CLI::App& program, const CLI::ParseError& error, int argc, char** argv) {
   std::string message = argc > 1 ? unknown_command(program, argv[1]) : "";
@@ -148,7 +155,7 @@ int refuse(const CLI::App& program, const CLI::ParseError& error, int argc, char
     if (message == "A subcommand is required") message = "a command is required";
     if (argc > 1 && program.got_subcommand(argv[1])) help = std::string("evenglow ") + argv[1] + " --help";
   }
-  fmt::print(stderr, "evenglow: {} ({} tells more)\n", message, help);
+  evenglow::app::tell("fault", fmt::format("evenglow: {} ({} tells more)", message, help), wants_json(argc, argv));
   return evenglow::app::kWrongInput;
 }
 
@@ -210,21 +217,17 @@ int run(int argc, char** argv, evenglow::core::RankGroup& ranks) {
   return chosen->run({role.options(), interrupt.token(), repeating});
 }
 
-/// To stderr, which may lie on a full disk: never throws of that.
-void tell(const std::string& line) {
-  std::fprintf(stderr, "%s\n", line.c_str());
-}
-
 /// The exit code; what failed, in `failure`.
 int run_told(int argc, char** argv, evenglow::core::RankGroup& ranks, std::string& failure) {
+  const bool json = wants_json(argc, argv);
   try {
     return run(argc, argv, ranks);
   } catch (const evenglow::core::ConfigError& error) {
-    for (const auto& fault : error.faults()) tell(fault.to_string());
+    for (const auto& fault : error.faults()) evenglow::app::tell("fault", fault.to_string(), json);
     failure = error.what();
     return evenglow::app::kWrongInput;
   } catch (const std::exception& error) {
-    tell(std::string("evenglow: ") + error.what());
+    evenglow::app::tell("failure", std::string("evenglow: ") + error.what(), json);
     failure = error.what();
     return evenglow::app::kFailed;
   }
@@ -241,7 +244,7 @@ int main(int argc, char** argv) {
     ranks.finish(failure, code);
     return code;
   } catch (const std::exception& error) {
-    tell(std::string("evenglow: ") + error.what());
+    evenglow::app::tell("failure", std::string("evenglow: ") + error.what(), wants_json(argc, argv));
     return evenglow::app::kFailed;
   }
 }

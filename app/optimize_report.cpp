@@ -1,5 +1,6 @@
 #include "app/optimize_report.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -45,19 +46,32 @@ core::Estimate gain_of(const OptimizeVerdict& verdict) {
   return {b.value - a.value, std::hypot(a.se, b.se)};
 }
 
+bool keeps(const OuterResult& result, double bound) {
+  return result.rms.value - result.rms.se <= bound;
+}
+
+std::string percent(double share) {
+  return fmt::format("{:.4g} %", 100.0 * share);
+}
+
 std::string verdict_text(const Run& run, const OptimizeVerdict& verdict) {
   std::string keys;
   for (std::size_t i = 0; i < run.outer.variables.size(); ++i) {
     keys += fmt::format("{}{} = {:.4g}", i == 0 ? "" : ", ", run.outer.variables[i].key, verdict.improved.values[i]);
   }
   const core::Estimate gain = gain_of(verdict);
+  const std::string bound = percent(run.outer.rms);
+  const std::string head = verdict.feasible ? "Best: " : "No design keeps the bound of " + bound + "; the nearest is ";
+  const std::string tail = verdict.feasible && !keeps(verdict.improved, run.outer.rms)
+                               ? " Judged so, it does not keep the bound of " + bound + "."
+                               : "";
   return fmt::format(
-      "Best: {}. Judged with fresh random numbers: efficiency {} % at an RMS of {} %, against {} % at {} % at the "
+      "{}{}. Judged with fresh random numbers: efficiency {} % at an RMS of {} %, against {} % at {} % at the "
       "start: "
-      "{} percentage points, {:.1f} standard errors.",
-      keys, design::measured(verdict.improved.efficiency, 100.0), design::measured(verdict.improved.rms, 100.0),
+      "{} percentage points, {:.1f} standard errors.{}",
+      head, keys, design::measured(verdict.improved.efficiency, 100.0), design::measured(verdict.improved.rms, 100.0),
       design::measured(verdict.start.efficiency, 100.0), design::measured(verdict.start.rms, 100.0),
-      design::measured(gain, 100.0), gain.se > 0.0 ? gain.value / gain.se : 0.0);
+      design::measured(gain, 100.0), gain.se > 0.0 ? gain.value / gain.se : 0.0, tail);
 }
 
 design::CurvePlot result_plot(const std::vector<OuterResult>& results, bool rms, double bound) {
@@ -80,10 +94,13 @@ design::CurvePlot result_plot(const std::vector<OuterResult>& results, bool rms,
     each.y.push_back(100.0 * value.value);
     each.se.push_back(100.0 * value.se);
     const std::vector<OuterResult> so_far(results.begin(), results.begin() + static_cast<std::ptrdiff_t>(i) + 1);
+    const OptimizeVerdict chosen = choose_design(so_far, bound);
+    if (!rms && !chosen.feasible) continue;
     best.x.push_back(static_cast<double>(i));
-    best.y.push_back(100.0 * (rms ? bound : so_far[design::best_of(so_far, bound)].efficiency.value));
+    best.y.push_back(100.0 * (rms ? bound : so_far[chosen.best].efficiency.value));
   }
-  plot.curves = {each, best};
+  plot.curves = {each};
+  if (!best.x.empty()) plot.curves.push_back(best);
   return plot;
 }
 
@@ -104,6 +121,19 @@ design::CurvePlot key_plot(const Run& run, const std::vector<OuterResult>& resul
 }
 
 }  // namespace
+
+OptimizeVerdict choose_design(const std::vector<OuterResult>& results, double rms_bound) {
+  const auto better = [&](const OuterResult& a, const OuterResult& b) {
+    const bool a_keeps = keeps(a, rms_bound), b_keeps = keeps(b, rms_bound);
+    if (a_keeps != b_keeps) return a_keeps;
+    return a_keeps ? a.efficiency.value > b.efficiency.value : a.rms.value < b.rms.value;
+  };
+  const auto best = std::min_element(results.begin(), results.end(), better);
+  OptimizeVerdict verdict;
+  verdict.best = static_cast<std::size_t>(best - results.begin());
+  verdict.feasible = keeps(*best, rms_bound);
+  return verdict;
+}
 
 design::Study optimize_study(const Run& run, const std::string& command, const std::vector<OuterResult>& results,
                              const OptimizeVerdict& verdict) {
@@ -126,7 +156,7 @@ design::Study optimize_study(const Run& run, const std::string& command, const s
     row.push_back(design::measured(results[i].efficiency, 100.0));
     row.push_back(design::measured(results[i].rms, 100.0));
     row.push_back(fmt::format("{:.3g}", static_cast<double>(results[i].photons)));
-    row.push_back(i == verdict.best ? "best" : "");
+    row.push_back(i != verdict.best ? "" : verdict.feasible ? "best" : "nearest");
     study.rows.push_back(std::move(row));
   }
   study.plots = {result_plot(results, false, run.outer.rms), result_plot(results, true, run.outer.rms),
@@ -161,6 +191,7 @@ void write_optimize(const design::Study& study, const Run& run, const std::vecto
                   {"rms_bound", run.outer.rms},
                   {"keys", std::move(keys)},
                   {"designs", std::move(rows)},
+                  {"feasible", verdict.feasible},
                   {"best", verdict.best},
                   {"judged_anew",
                    {{"start", to_json(verdict.start)},

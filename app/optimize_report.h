@@ -12,9 +12,14 @@ namespace evenglow::app {
 /// Two designs of a search, judged once more with random numbers that the search has not seen.
 struct OptimizeVerdict {
   std::size_t best = 0;          ///< index of the evaluation; the first is the start
+  bool feasible = true;          ///< false: no evaluation keeps the bound, and `best` is the nearest to it
   design::OuterResult start;     ///< judged anew
   design::OuterResult improved;  ///< judged anew
 };
+
+/// Of those designs whose RMS keeps the bound within a standard error the index of the one of the greatest efficiency;
+/// that of the least RMS, and `feasible` false, if none does. `results` must not be empty.
+OptimizeVerdict choose_design(const std::vector<design::OuterResult>& results, double rms_bound);
 
 /// Convergence of the search: efficiency and RMS of each design, the keys, the verdict.
 design::Study optimize_study(const Run& run, const std::string& command,

@@ -112,6 +112,10 @@ void Progress::step(const std::string& label, const design::StepRecord& r) {
                  {"wall_s", r.wall_s}}));
 }
 
+void tell(const std::string& event, const std::string& text, bool json) {
+  to_stderr((json ? text_of({{"event", event}, {"text", text}}) : text) + "\n");
+}
+
 std::string describe(const design::StepRecord& r) {
   return fmt::format(
       "step {}: {:.3g} photons, RMS {:.2f} % (corrected {:.2f} +- {:.2f} %), efficiency {:.2f} %, density {:.4f}, "

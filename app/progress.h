@@ -48,6 +48,10 @@ class Progress {
   std::mutex mutex_;
 };
 
+/// What ends a program or a run of a batch, on stderr: `text` as it is, or for programs `{"event": "fault", "text":
+/// "..."}`. `event` is `fault` for wrong input, else `failure`. A full disk below stderr is passed over.
+void tell(const std::string& event, const std::string& text, bool json);
+
 /// One step in words.
 std::string describe(const design::StepRecord& record);
 

@@ -10,11 +10,19 @@ void print_result(const design::Report& report, const std::filesystem::path& dir
   const design::FinalJudgment& f = report.final;
   fmt::print("{}{}\n", report.title, report.variant.empty() ? "" : " (" + report.variant + ")");
   fmt::print("  stop                 {}\n", report.stop_reason);
-  fmt::print("  RMS non-uniformity   {:.2f} +- {:.2f} % (noise taken off; {:.2f} % with it)\n",
-             100.0 * f.rms_corrected.value, 100.0 * f.rms_corrected.se, 100.0 * f.rms);
+  const bool dark = f.luminance_mean.value <= 0.0;
+  if (dark) fmt::print("  RMS non-uniformity   - (no light in the viewing cone)\n");
+  if (!dark) {
+    fmt::print("  RMS non-uniformity   {:.2f} +- {:.2f} % (noise taken off; {:.2f} % with it)\n",
+               100.0 * f.rms_corrected.value, 100.0 * f.rms_corrected.se, 100.0 * f.rms);
+  }
   fmt::print("  mean luminance       {:.1f} +- {:.1f} cd/m2\n", f.luminance_mean.value, f.luminance_mean.se);
   fmt::print("  efficiency           {:.2f} +- {:.2f} %\n", 100.0 * f.efficiency.value, 100.0 * f.efficiency.se);
-  fmt::print("  uniformity 9 / 13    {:.3f} / {:.3f}\n", f.uniformity_9, f.uniformity_13);
+  if (dark) fmt::print("  uniformity 9 / 13    - (no light in the viewing cone)\n");
+  if (!dark) {
+    fmt::print("  uniformity 9 / 13    {:.3f} +- {:.3f} / {:.3f} +- {:.3f}\n", f.uniformity_9, f.uniformity_9_se,
+               f.uniformity_13, f.uniformity_13_se);
+  }
   if (report.color) {
     fmt::print("  color                x {}, y {}, {} K\n", design::measured(report.color->mean.x),
                design::measured(report.color->mean.y), design::measured(report.color->mean.kelvin));

@@ -2,9 +2,9 @@
 
 _evenglow_words() { # COMMAND...: what its help lists under a heading of commands, and its options
   "${COMP_WORDS[0]}" "$@" --help 2>/dev/null | sed -nE \
-    -e '/^(Commands|Subcommands):/,/^$/s/^  ([a-z][a-z_-]*) .*/\1/p' \
-    -e 's/^  (-[a-zA-Z]),(--[a-z_-]+).*/\1\n\2/p' \
-    -e 's/^  (--[a-z_-]+).*/\1/p'
+    -e '/^(Commands|Subcommands):/,/^$/s/^  ([a-z][a-z0-9_-]*) .*/\1/p' \
+    -e 's/^  (-[a-zA-Z]),(--[a-z0-9_-]+).*/\1\n\2/p' \
+    -e 's/^  (--[a-z0-9_-]+).*/\1/p'
 }
 
 _evenglow() {

@@ -6,13 +6,14 @@
 #include <fmt/core.h>
 
 #include "app/backlight_run.h"
+#include "app/batch_earlier.h"
 #include "app/batch_plan.h"
 #include "app/commands/commands.h"
 #include "app/output_directory.h"
+#include "app/progress.h"
 #include "app/repeating_command.h"
 #include "core/base/version.h"
 #include "core/config/message_text.h"
-#include "core/config/text_file.h"
 #include "design/engine/state_file.h"
 #include "design/report/batch_table.h"
 #include "design/report/number_format.h"
@@ -24,9 +25,6 @@ namespace {
 using design::BatchRow;
 using design::BatchStatus;
 using design::BatchTable;
-
-constexpr const char* kSummary = "batch.json";
-constexpr std::size_t kMaxSummaryBytes = 256u << 20u;
 
 BatchRow waiting_row(const PlannedRun& run) {
   BatchRow row;
@@ -40,28 +38,13 @@ BatchRow waiting_row(const PlannedRun& run) {
   return row;
 }
 
-void tell_faults(const std::vector<PlannedRun>& plan) {
+void tell_faults(const std::vector<PlannedRun>& plan, bool json) {
   std::set<std::string> told;  // a fault of a file shows in all of its runs
   for (const PlannedRun& run : plan) {
     for (const core::Fault& fault : run.faults) {
       const std::string text = fault.to_string();
-      if (told.insert(text).second) fmt::print(stderr, "{}\n", text);
+      if (told.insert(text).second) tell("fault", text, json);
     }
-  }
-}
-
-/// The rows of the interrupted batch; none if there was none.
-std::vector<BatchRow> earlier_rows(const std::filesystem::path& directory, const Options& options) {
-  const auto file = directory / kSummary;
-  std::error_code ignored;
-  if (!options.resume || !std::filesystem::exists(file, ignored)) return {};
-  try {
-    return design::read_batch_json(core::read_text_file(file, kMaxSummaryBytes)).rows;
-  } catch (const core::ConfigError&) {
-    throw;
-  } catch (const core::Error& error) {
-    throw core::ConfigError(
-        core::Fault{file.string(), 0, 0, "", std::string(error.what()) + " (--overwrite begins anew)"});
   }
 }
 
@@ -80,31 +63,46 @@ class Batch {
       : session_(session),
         plan_(std::move(plan)),
         directory_(std::move(directory)),
-        earlier_(earlier_rows(directory_, session.options)),
+        earlier_(earlier_batch(directory_, session.options)),
         progress_(session.options.quiet, session.options.json_progress) {
     table_.title = session.options.files.size() == 1 ? session.options.files.front().stem().string() : "Batch";
     table_.version = core::version();
-    table_.command = session.program_arguments + (session.options.simulate ? " --simulate" : "");
+    table_.command = session.program_arguments + (session.options.simulate ? kSimulateOption : "");
+    table_.left_over = left_over(earlier_, plan_, directory_);
     for (const PlannedRun& run : plan_) table_.rows.push_back(waiting_row(run));
   }
 
   int run() {
     save();
+    save_pages();
     for (std::size_t i = 0; i < plan_.size(); ++i) {
       if (table_.rows[i].status == BatchStatus::kWrongInput) continue;
       if (!run_one(i)) {
         save();
+        save_pages();
         progress_.line("interrupted: --resume goes on where the batch was stopped");
         return kInterrupted;
       }
       save();
+      if (table_.rows[i].status == BatchStatus::kFailed || Clock::now() >= next_pages_) save_pages();
     }
-    save();
+    save_pages();
     return verdict();
   }
 
  private:
-  void save() const { design::write_batch(table_, directory_); }
+  using Clock = std::chrono::steady_clock;
+
+  /// After every run: `--resume` knows from it what is done.
+  void save() const { design::write_batch_json(table_, directory_); }
+
+  /// They hold all rows, with their pictures: written after every run they would cost the square of their number.
+  void save_pages() {
+    const auto begin = Clock::now();
+    design::write_batch_pages(table_, directory_);
+    const auto end = Clock::now();
+    next_pages_ = end + std::max<Clock::duration>(std::chrono::seconds(2), 10 * (end - begin));
+  }
 
   /// False: interrupted. Whatever else happens to the run, the batch goes on.
   bool run_one(std::size_t i) {
@@ -154,10 +152,11 @@ class Batch {
 
   /// A run that is done, with the same description, is not made again.
   bool take_earlier(BatchRow& row) const {
-    const auto found = std::find_if(earlier_.begin(), earlier_.end(),
+    if (!session_.options.resume) return false;
+    const auto found = std::find_if(earlier_.rows.begin(), earlier_.rows.end(),
                                     [&](const BatchRow& earlier) { return earlier.name == row.name; });
     std::error_code ignored;
-    if (found == earlier_.end() || found->status != BatchStatus::kDone || found->identity != row.identity ||
+    if (found == earlier_.rows.end() || found->status != BatchStatus::kDone || found->identity != row.identity ||
         !std::filesystem::exists(directory_ / row.name, ignored)) {
       return false;
     }
@@ -198,7 +197,9 @@ class Batch {
       fmt::print("{:<40} {}\n", row.name,
                  is_done ? in_words(row) : std::string(design::status_name(row.status)) + ": " + row.message);
     }
-    fmt::print("{} of {} runs done\nfiles: {}\n", done, table_.rows.size(), directory_.string());
+    fmt::print("{} of {} runs done\n", done, table_.rows.size());
+    if (!table_.left_over.empty()) fmt::print("{}\n", design::left_over_text(table_));
+    fmt::print("files: {}\n", directory_.string());
     return done == table_.rows.size() ? kDone : kFailed;
   }
 
@@ -207,10 +208,11 @@ class Batch {
   const Session& session_;
   std::vector<PlannedRun> plan_;
   std::filesystem::path directory_;
-  std::vector<BatchRow> earlier_;
+  BatchTable earlier_;
   BatchTable table_;
   Progress progress_;
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  Clock::time_point next_pages_ = start_;
 };
 
 }  // namespace
@@ -225,7 +227,7 @@ int batch_command(const Session& session) {
   std::vector<PlannedRun> plan = plan_batch(options, options.simulate ? Purpose::kTrace : Purpose::kDesign);
   const bool none_good =
       std::all_of(plan.begin(), plan.end(), [](const PlannedRun& run) { return !run.faults.empty(); });
-  tell_faults(plan);
+  tell_faults(plan, options.json_progress);
   if (none_good) return kWrongInput;
   const auto directory = batch_directory(options);
   check_not_in_use(directory);

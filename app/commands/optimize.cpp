@@ -122,9 +122,8 @@ int optimize_command(const Session& session) {
   const auto results =
       design::run_outer(model, run.outer, earlier_results(session, state, identity, progress), observer);
   if (!results) return interrupted();
-  OptimizeVerdict verdict;
-  verdict.best = design::best_of(*results, run.outer.rms);
-  progress.begin("start and best once more");
+  OptimizeVerdict verdict = choose_design(*results, run.outer.rms);
+  progress.begin(verdict.feasible ? "start and best once more" : "start and nearest once more");
   const auto start = design_at(session, run.outer, results->front().values, kVerdictStep, progress);
   const auto best = start ? design_at(session, run.outer, (*results)[verdict.best].values, kVerdictStep - 1U, progress)
                           : std::nullopt;

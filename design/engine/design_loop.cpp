@@ -287,6 +287,12 @@ FinalJudgment make_judgment(const Observation& observation, const DesignSpec& sp
   judgment.uniformity_13 = uniformity_13(observation.map.luminance);
   judgment.luminance_mean = {mean.value * observation.luminance_unit, mean.se * observation.luminance_unit};
   judgment.luminance_center = center_luminance(observation.map.luminance);
+  if (mean.value > 0.0) {
+    const SpotErrors errors = spot_errors(observation.luminance, observation.map.luminance.grid);
+    judgment.uniformity_9_se = errors.uniformity_9;
+    judgment.uniformity_13_se = errors.uniformity_13;
+    judgment.luminance_center_se = errors.center * observation.luminance_unit;
+  }
   judgment.efficiency = observation.efficiency;
   return judgment;
 }

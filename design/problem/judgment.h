@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -30,7 +31,8 @@ struct StepRecord {
   std::uint64_t level_photons = 0;  ///< spent after this step on the search of the level (their time is in cpu_s)
 };
 
-/// The judgment of the finished design, from a trace with fresh random numbers.
+/// The judgment of the finished design, from a trace with fresh random numbers. Without light on the display there is
+/// no evenness: RMS and uniformities are not a number.
 struct FinalJudgment {
   std::uint64_t photons = 0;
   double rms = 0.0;
@@ -42,6 +44,10 @@ struct FinalJudgment {
   core::Estimate efficiency;
   double rms_low = 0.0;  ///< 95 % confidence interval of the RMS without noise
   double rms_high = 0.0;
+  /// Standard errors of the spots' figures (`spot_errors`); not a number where they are not known.
+  double uniformity_9_se = std::numeric_limits<double>::quiet_NaN();
+  double uniformity_13_se = std::numeric_limits<double>::quiet_NaN();
+  double luminance_center_se = std::numeric_limits<double>::quiet_NaN();  ///< cd/m2
 };
 
 /// A named share of the emitted flux.

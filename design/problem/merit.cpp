@@ -15,6 +15,7 @@ using core::CellField;
 using core::Tally;
 
 constexpr double kTwoSided95 = 1.959964;
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 double mean_of(const std::vector<double>& x) {
   double sum = 0.0;
@@ -81,7 +82,16 @@ double uniformity(const CellField& field, const std::vector<Point>& points) {
     low = std::min(low, value);
     high = std::max(high, value);
   }
-  return high > 0.0 ? low / high : 0.0;
+  return high > 0.0 ? low / high : kNone;
+}
+
+/// The standard error from the values with one batch left out.
+double jackknife_se(const std::vector<double>& without_one) {
+  const double mean = mean_of(without_one);
+  const double count = static_cast<double>(without_one.size());
+  double squares = 0.0;
+  for (const double v : without_one) squares += (v - mean) * (v - mean);
+  return std::sqrt(squares * (count - 1.0) / count);
 }
 
 std::vector<Point> nine_points() {
@@ -119,7 +129,7 @@ Evenness evenness(const Tally& luminance) {
   }
   Evenness result;
   result.mean = core::total_of_batches(means);
-  if (result.mean.value <= 0.0) return result;
+  if (result.mean.value <= 0.0) return {kNone, {kNone, kNone}, kNone, kNone, result.mean};
   double squares = 0.0;
   for (const double v : total) squares += (v - result.mean.value) * (v - result.mean.value);
   result.rms = std::sqrt(squares / static_cast<double>(total.size())) / result.mean.value;
@@ -149,6 +159,26 @@ std::vector<SpotValue> uniformity_spots(const CellField& luminance) {
 
 double center_luminance(const CellField& luminance) {
   return spot(luminance, {0.5, 0.5});
+}
+
+SpotErrors spot_errors(const Tally& luminance, const core::CellGrid& grid) {
+  const std::size_t batches = luminance.batches();
+  core::expects(batches >= 2 && luminance.bins() == grid.size(), "at least 2 batches of the cells of the grid");
+  CellField total(grid, 0.0);
+  for (std::size_t b = 0; b < batches; ++b) {
+    for (std::size_t i = 0; i < total.values.size(); ++i) total.values[i] += luminance.batch(b)[i];
+  }
+  const double scale = static_cast<double>(batches) / static_cast<double>(batches - 1);
+  std::vector<double> nine, thirteen, center;
+  CellField rest(grid, 0.0);
+  for (std::size_t b = 0; b < batches; ++b) {
+    for (std::size_t i = 0; i < rest.values.size(); ++i)
+      rest.values[i] = (total.values[i] - luminance.batch(b)[i]) * scale;
+    nine.push_back(uniformity_9(rest));
+    thirteen.push_back(uniformity_13(rest));
+    center.push_back(center_luminance(rest));
+  }
+  return {jackknife_se(nine), jackknife_se(thirteen), jackknife_se(center)};
 }
 
 }  // namespace evenglow::design

@@ -9,7 +9,7 @@
 /// How even a luminance map is, with the Monte Carlo noise taken off.
 namespace evenglow::design {
 
-/// RMS non-uniformity: standard deviation over mean of the cells.
+/// RMS non-uniformity: standard deviation over mean of the cells. All but `mean` is not a number if no light was seen.
 struct Evenness {
   double rms = 0.0;  ///< of the map as it is, noise included
   core::Estimate
@@ -31,7 +31,7 @@ core::Estimate mean_of_cells(const core::Tally& luminance);
 
 /// Minimum over maximum of the luminance of spots at 9 points (a 3 x 3 grid at 10, 50 and 90 % of length and width) and
 /// 13 points (those and the 4 at 30 and 70 %). A spot is the mean of the cells whose centers lie within 4 % of the
-/// diagonal of the point.
+/// diagonal of the point. Not a number if all spots are dark.
 double uniformity_9(const core::CellField& luminance);
 double uniformity_13(const core::CellField& luminance);
 /// One of those spots.
@@ -44,5 +44,15 @@ struct SpotValue {
 std::vector<SpotValue> uniformity_spots(const core::CellField& luminance);
 /// The mean of the spot at the center.
 double center_luminance(const core::CellField& luminance);
+
+/// Standard errors of the figures of the spots.
+struct SpotErrors {
+  double uniformity_9 = 0.0;
+  double uniformity_13 = 0.0;
+  double center = 0.0;  ///< unit of the tally
+};
+/// By the jackknife: each batch left out in turn (Efron, The Jackknife, the Bootstrap and Other Resampling Plans, 1982,
+/// eq. 3.1). At least 2 batches of the cells of `grid`, in its order.
+SpotErrors spot_errors(const core::Tally& luminance, const core::CellGrid& grid);
 
 }  // namespace evenglow::design

@@ -159,6 +159,9 @@ std::string batch_html(const BatchTable& table, const std::filesystem::path& dir
           html_escape(fmt::format("{} of {} runs done \u00b7 Evenglow {}", done, table.rows.size(), table.version)) +
           "</p>\n<p class=\"def\">A click on a heading sorts the table. RMS non-uniformity: Monte Carlo noise taken "
           "off; \u00b1 one standard error. Each picture has its own scale, from zero to its greatest luminance.</p>\n";
+  if (const std::string left = left_over_text(table); !left.empty()) {
+    body += "<p>Folders beside these runs, " + html_escape(left) + "; the table leaves them out.</p>\n";
+  }
   body += "<div class=\"batch\"><table>" + header(headings(keys)) + "<tbody>\n";
   for (const BatchRow& row : table.rows) body += row_html(row, keys, directory);
   body += "</tbody></table></div>\n<h2>How to repeat</h2>\n<pre>" + html_escape(table.command) + "</pre>\n";

@@ -32,6 +32,9 @@ FinalJudgment final_from(const Json& node) {
   f.efficiency = estimate("efficiency", "efficiency_se");
   f.rms_low = number("rms_95_low");
   f.rms_high = number("rms_95_high");
+  f.uniformity_9_se = number("uniformity_9_se");
+  f.uniformity_13_se = number("uniformity_13_se");
+  f.luminance_center_se = number("luminance_centre_se");
   return f;
 }
 
@@ -70,11 +73,8 @@ std::string_view status_name(BatchStatus status) {
 std::string batch_json(const BatchTable& table) {
   Json rows = Json::array();
   for (const BatchRow& row : table.rows) rows.push_back(row_of(row));
-  const Json json = {{"format", kFormat},
-                     {"version", table.version},
-                     {"title", table.title},
-                     {"command", table.command},
-                     {"runs", rows}};
+  const Json json = {{"format", kFormat},        {"version", table.version},     {"title", table.title},
+                     {"command", table.command}, {"left_over", table.left_over}, {"runs", rows}};
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
 }
 
@@ -86,6 +86,7 @@ BatchTable read_batch_json(const std::string& text) {
     table.version = json.at("version").get<std::string>();
     table.title = json.at("title").get<std::string>();
     table.command = json.at("command").get<std::string>();
+    if (json.contains("left_over")) table.left_over = json.at("left_over").get<std::vector<std::string>>();
     for (const Json& row : json.at("runs")) table.rows.push_back(row_from(row));
     return table;
   } catch (const std::exception&) {

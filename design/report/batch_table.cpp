@@ -55,8 +55,21 @@ std::string batch_csv(const BatchTable& table) {
   return text;
 }
 
-void write_batch(const BatchTable& table, const std::filesystem::path& directory) {
+std::string left_over_text(const BatchTable& table) {
+  constexpr std::size_t kMost = 20;
+  if (table.left_over.empty()) return "";
+  std::string text = "not of this batch: ";
+  const std::size_t shown = std::min(kMost, table.left_over.size());
+  for (std::size_t i = 0; i < shown; ++i) text += (i == 0 ? "" : ", ") + one_line(table.left_over[i]);
+  if (shown < table.left_over.size()) text += fmt::format(" and {} more", table.left_over.size() - shown);
+  return text + " (left from an earlier one)";
+}
+
+void write_batch_json(const BatchTable& table, const std::filesystem::path& directory) {
   write_file(directory / "batch.json", batch_json(table));
+}
+
+void write_batch_pages(const BatchTable& table, const std::filesystem::path& directory) {
   write_file(directory / "batch.csv", batch_csv(table));
   write_file(directory / "batch.html", batch_html(table, directory));
 }

@@ -30,6 +30,7 @@ struct BatchTable {
   std::string version;
   std::string command;
   std::vector<BatchRow> rows;
+  std::vector<std::string> left_over = {};  ///< folders of an earlier batch in the same place, of no row of this one
 };
 
 std::string_view status_name(BatchStatus status);
@@ -46,8 +47,13 @@ std::string batch_csv(const BatchTable& table);
 /// (`thumbnail.png` in the run's folder below `directory`, if it is there) and links to the reports of the runs.
 std::string batch_html(const BatchTable& table, const std::filesystem::path& directory);
 
-/// Writes the three files.
-void write_batch(const BatchTable& table, const std::filesystem::path& directory);
+/// `not of this batch: a, b, c (left from an earlier one)`, twenty names at most; empty if nothing is left over.
+std::string left_over_text(const BatchTable& table);
+
+/// Writes `batch.json`, which a batch goes on from.
+void write_batch_json(const BatchTable& table, const std::filesystem::path& directory);
+/// Writes `batch.csv` and `batch.html`, which people read.
+void write_batch_pages(const BatchTable& table, const std::filesystem::path& directory);
 
 /// Writes a picture of the map, a pixel for each cell of small maps, at most 160 px wide.
 void write_thumbnail(const core::CellField& luminance, const std::filesystem::path& file);

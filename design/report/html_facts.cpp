@@ -20,6 +20,23 @@ std::string card(const std::string& name, const std::string& value, const std::s
                      unit.empty() ? "" : " <small>" + html_escape(unit) + "</small>", html_escape(definition));
 }
 
+constexpr const char* kDark = "\u2013 (no light in the viewing cone)";
+
+bool is_dark(const FinalJudgment& f) {
+  return f.luminance_mean.value <= 0.0;
+}
+
+/// Not "+-" where the error is not known.
+std::string with_error(double value, double se, double factor = 1.0) {
+  return std::isfinite(se) ? measured({value, se}, factor) : rounded(factor * value);
+}
+
+/// A figure of evenness, which only a display with light, and of more cells than one, has.
+std::string evenness_text(const Report& r, const std::string& text) {
+  if (is_dark(r.final)) return kDark;
+  return r.luminance.values.size() == 1 ? "\u2013 (at least two cells are needed)" : text;
+}
+
 std::string gain_text(const core::Estimate& ratio) {
   const char* sign = ratio.value >= 1.0 ? "+" : "";
   return fmt::format("{}{}\u00a0%", sign, measured({100.0 * (ratio.value - 1.0), 100.0 * ratio.se}));
@@ -50,12 +67,20 @@ std::vector<FinalRow> final_rows() {
   return {
       {"mean luminance", "cd/m\u00b2", [](const Report& r) { return measured(r.final.luminance_mean); }},
       {"mean luminance per lumen", "cd/m\u00b2/lm", per_lumen},
-      {"luminance in the center", "cd/m\u00b2", [](const Report& r) { return rounded(r.final.luminance_center); }},
+      {"luminance in the center", "cd/m\u00b2",
+       [](const Report& r) { return with_error(r.final.luminance_center, r.final.luminance_center_se); }},
       {"efficiency", "%", [](const Report& r) { return measured(r.final.efficiency, 100.0); }},
-      {"RMS, noise taken off", "%", [](const Report& r) { return measured(r.final.rms_corrected, 100.0); }},
-      {"RMS, raw", "%", [](const Report& r) { return rounded(100.0 * r.final.rms); }},
-      {"uniformity of 9 spots", "%", [](const Report& r) { return rounded(100.0 * r.final.uniformity_9); }},
-      {"uniformity of 13 spots", "%", [](const Report& r) { return rounded(100.0 * r.final.uniformity_13); }},
+      {"RMS, noise taken off", "%",
+       [](const Report& r) { return evenness_text(r, measured(r.final.rms_corrected, 100.0)); }},
+      {"RMS, raw", "%", [](const Report& r) { return evenness_text(r, rounded(100.0 * r.final.rms)); }},
+      {"uniformity of 9 spots", "%",
+       [](const Report& r) {
+         return evenness_text(r, with_error(r.final.uniformity_9, r.final.uniformity_9_se, 100.0));
+       }},
+      {"uniformity of 13 spots", "%",
+       [](const Report& r) {
+         return evenness_text(r, with_error(r.final.uniformity_13, r.final.uniformity_13_se, 100.0));
+       }},
       {"mean density", "", [](const Report& r) { return rounded(summarize(r.density).mean); }},
       {"flux of the LEDs", "lm", [](const Report& r) { return rounded(r.energy.emitted_lm); }},
       {"photons of the final trace", "", [](const Report& r) { return grouped(r.final.photons); }},
@@ -68,22 +93,31 @@ std::vector<FinalRow> final_rows() {
 
 std::string headline_cards(const Report& report) {
   const FinalJudgment& f = report.final;
+  const bool has_evenness = !is_dark(f) && report.luminance.values.size() != 1;
   const std::string origin = report.steps.size() > 1 ? "All from a final trace of " + grouped(f.photons) +
                                                            " photons with fresh random numbers; "
                                                      : "All from one trace of " + grouped(f.photons) + " photons; ";
   return "<div class=\"cards\">\n" +
-         card("Evenness (RMS)", measured(f.rms_corrected, 100.0), "%",
+         card("Evenness (RMS)", evenness_text(report, measured(f.rms_corrected, 100.0)), has_evenness ? "%" : "",
               "Standard deviation over mean of the luminance of the cells of the active area, the Monte Carlo variance "
               "taken off. Raw: " +
-                  rounded(100.0 * f.rms) + " %.") +
+                  evenness_text(report, rounded(100.0 * f.rms) + " %") + ".") +
          card("Efficiency", measured(f.efficiency, 100.0), "%",
               "Luminous flux that leaves the top film within the hemisphere, over the flux of the LEDs.") +
          card("Mean luminance", measured(f.luminance_mean), "cd/m\u00b2",
-              "Of the active area, for " + rounded(report.energy.emitted_lm) +
-                  " lm of LED flux. Center: " + rounded(f.luminance_center) + " cd/m\u00b2.") +
-         card("Uniformity", rounded(100.0 * f.uniformity_9, 3), "% of 9 spots",
+              "Of the active area, for " + rounded(report.energy.emitted_lm) + " lm of LED flux. Center: " +
+                  with_error(f.luminance_center, f.luminance_center_se) + " cd/m\u00b2.") +
+         card("Uniformity",
+              evenness_text(report, std::isfinite(f.uniformity_9_se)
+                                        ? with_error(f.uniformity_9, f.uniformity_9_se, 100.0)
+                                        : rounded(100.0 * f.uniformity_9, 3)),
+              has_evenness ? "% of 9 spots" : "",
               "Least over greatest luminance of 9 spots of the active area; of 13 spots: " +
-                  rounded(100.0 * f.uniformity_13, 3) + " %.") +
+                  evenness_text(report, (std::isfinite(f.uniformity_13_se)
+                                             ? with_error(f.uniformity_13, f.uniformity_13_se, 100.0)
+                                             : rounded(100.0 * f.uniformity_13, 3)) +
+                                            " %") +
+                  ". Noise lowers a least over a greatest.") +
          "</div>\n<p class=\"def\">" + origin + "\u00b1 is one standard error.</p>\n";
 }
 

@@ -35,7 +35,8 @@ std::string row_of(const std::vector<Column>& columns, std::size_t i) {
                                  number_cell(rounded(place.y)), i < kNine ? "9 and 13" : "13");
   for (const Column& column : columns) {
     const double value = column.spots[i].luminance;
-    html += number_cell(rounded(value)) + number_cell(rounded(100.0 * value / column.greatest()));
+    html += number_cell(rounded(value)) +
+            number_cell(column.greatest() > 0.0 ? rounded(100.0 * value / column.greatest()) : "\u2013");
   }
   return html + "</tr>\n";
 }

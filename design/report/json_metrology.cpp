@@ -50,7 +50,10 @@ nlohmann::ordered_json final_json(const FinalJudgment& f) {
           {"efficiency", f.efficiency.value},
           {"efficiency_se", f.efficiency.se},
           {"rms_95_low", f.rms_low},
-          {"rms_95_high", f.rms_high}};
+          {"rms_95_high", f.rms_high},
+          {"uniformity_9_se", f.uniformity_9_se},
+          {"uniformity_13_se", f.uniformity_13_se},
+          {"luminance_centre_se", f.luminance_center_se}};
 }
 
 Json color_json(const ColorJudgment& color) {

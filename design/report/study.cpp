@@ -25,7 +25,7 @@ std::string row_of(const char* cell, const std::vector<std::string>& entries) {
 }
 
 std::string table_of(const Study& study) {
-  std::string html = "<div class=\"wide\"><table>\n<thead>" + row_of("th", study.columns) + "</thead>\n<tbody>\n";
+  std::string html = "<div class=\"scroll\"><table>\n<thead>" + row_of("th", study.columns) + "</thead>\n<tbody>\n";
   for (const auto& row : study.rows) html += row_of("td", row);
   return html + "</tbody></table></div>\n";
 }
@@ -44,7 +44,7 @@ std::string maps_of(const Study& study, PageData& data) {
   const ValueScale scale = common_scale(fields);
   std::string figures;
   for (const StudyMap& map : study.densities)
-    figures += map_figure({map.title, map.caption, &map.field, nullptr, "1", "density", scale}, data);
+    figures += map_figure({map.title, map.caption, &map.field, nullptr, "", "density", scale}, data);
   return element("h2", "Densities") + figure_group("three", figures, "study-maps");
 }
 

@@ -36,6 +36,7 @@ ValueScale common_scale(const std::vector<const core::CellField*>& fields) {
   if (!found) return {};
   const double least = 1e-6 * std::max({std::abs(scale.low), std::abs(scale.high), 1e-6});
   if (scale.high - scale.low >= least) return scale;
+  if (scale.low == 0.0 && scale.high == 0.0) return {0.0, 1.0};  // dark: no luminance is negative
   const double half = std::max(0.05 * std::abs(scale.high), 0.05);
   return {scale.low - half, scale.high + half};
 }

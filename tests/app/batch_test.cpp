@@ -92,9 +92,9 @@ TEST_F(Batch, WrongRunsAreToldAndPassed) {
 }
 
 TEST_F(Batch, CheckReadsEachRun) {
-  write_text(folder_ / "tiny.yaml",
-             base_ + "sweep: {list: [{trace.seed: 2}, {\"backlight.films[0].haze\": 3}, "
-                     "{backlight.light_guide_plate.end_thickness_mm: 0.4, trace.path: planar}]}\n");
+  write_text(folder_ / "tiny.yaml", base_ +
+                                        "sweep: {list: [{trace.seed: 2}, {\"backlight.films[0].haze\": 3}, "
+                                        "{backlight.light_guide_plate.end_thickness_mm: 0.4, trace.path: planar}]}\n");
   const ProgramResult result = run({"check", "tiny.yaml"});
   EXPECT_EQ(result.code, 2);
   EXPECT_THAT(result.out, HasSubstr("tiny.yaml: 1 of 3 runs of the sweep are good"));
@@ -146,6 +146,30 @@ TEST_F(Batch, AnInterruptedBatchGoesOnAndMakesNothingTwice) {
   EXPECT_EQ(done(summary("out")), 4u);
 }
 
+TEST_F(Batch, AKilledBatchKnowsEachRunThatIsDoneThoughItsPagesWait) {
+  write_text(folder_ / "tiny.yaml", base_ + "sweep: {grid: {trace.seed: [1, 2, 3, 4]}}\n");
+  const Words words = {"batch", "tiny.yaml", "-o", "out", "--simulate", "--photons", "4e5"};
+  const auto start = std::chrono::steady_clock::now();
+  Program program(words_of(EVENGLOW_PROGRAM, words), folder_.path());
+  const auto known = [&] {
+    return std::filesystem::exists(folder_ / "out" / "batch.json") && done(summary("out")) > 0;
+  };
+  while (program.is_running() && !known()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  program.send(SIGKILL);
+  program.wait(60);
+  const bool at_once = std::chrono::steady_clock::now() - start < std::chrono::seconds(2);
+  ASSERT_LT(done(summary("out")), 4u);
+  if (at_once) {
+    EXPECT_THAT(file_text(folder_ / "out" / "batch.csv"), ::testing::Not(HasSubstr(",done,")));
+  }
+  Words resume = words;
+  resume.push_back("--resume");
+  const ProgramResult result = run(resume);
+  EXPECT_EQ(result.code, 0) << result.err;
+  EXPECT_THAT(result.err, HasSubstr("p1_seed-1: done before"));
+  EXPECT_THAT(file_text(folder_ / "out" / "batch.csv"), ::testing::Not(HasSubstr(",waiting,")));
+}
+
 TEST_F(Batch, AResumedBatchMakesChangedRunsAnew) {
   write_text(folder_ / "tiny.yaml", base_ + "sweep: {grid: {trace.seed: [1, 2]}}\n");
   ASSERT_EQ(run({"batch", "tiny.yaml", "-o", "out", "--simulate", "--quiet"}).code, 0);
@@ -161,6 +185,52 @@ TEST_F(Batch, ADamagedSummaryIsRefused) {
   const ProgramResult result = run({"batch", "tiny.yaml", "-o", "out", "--simulate", "--resume"});
   EXPECT_EQ(result.code, 2);
   EXPECT_THAT(result.err, HasSubstr("out/batch.json: is no summary of a batch"));
+}
+
+TEST_F(Batch, FoldersOfAnEarlierBatchAreTold) {
+  write_text(folder_ / "tiny.yaml", base_ + "sweep: {grid: {trace.seed: [1, 2]}}\n");
+  ASSERT_EQ(run({"batch", "tiny.yaml", "-o", "out", "--simulate", "--quiet"}).code, 0);
+  EXPECT_TRUE(summary("out")["left_over"].empty());
+  write_text(folder_ / "tiny.yaml", base_ + "sweep: {grid: {trace.seed: [1, 3]}}\n");
+  for (const char* how : {"--resume", "--overwrite"}) {
+    const ProgramResult result = run({"batch", "tiny.yaml", "-o", "out", "--simulate", "--quiet", how});
+    ASSERT_EQ(result.code, 0) << result.err;
+    EXPECT_THAT(result.out, HasSubstr("\nnot of this batch: p2_seed-2 (left from an earlier one)\n")) << how;
+    EXPECT_EQ(summary("out")["left_over"].dump(), "[\"p2_seed-2\"]");
+    EXPECT_THAT(file_text(folder_ / "out/batch.html"), HasSubstr("not of this batch: p2_seed-2"));
+    EXPECT_TRUE(std::filesystem::exists(folder_ / "out/p2_seed-2/result.json"));
+  }
+}
+
+TEST_F(Batch, TracesDoNotGoOnAsDesigns) {
+  ASSERT_EQ(run({"batch", "tiny.yaml", "-o", "out", "--simulate", "--quiet"}).code, 0);
+  const ProgramResult refused = run({"batch", "tiny.yaml", "-o", "out", "--resume"});
+  EXPECT_EQ(refused.code, 2);
+  ASSERT_EQ(refused.err_lines().size(), 1u) << refused.err;
+  EXPECT_THAT(refused.err, HasSubstr("out/batch.json is of a batch of single traces, go on with --simulate"));
+  EXPECT_EQ(run({"batch", "tiny.yaml", "-o", "out", "--resume", "--simulate", "--quiet"}).code, 0);
+}
+
+TEST_F(Batch, FaultsForProgramsAreJson) {
+  write_text(folder_ / "wrong.yaml", base_ + "nonsense: 1\n");
+  const std::vector<Words> faulty = {{"batch", "wrong.yaml", "missing.yaml"},
+                                     {"design", "wrong.yaml"},
+                                     {"simulate", "missing.yaml"},
+                                     {"simulate", "tiny.yaml", "--set", "a.b=1"},
+                                     {"simulate", "tiny.yaml", "--photonen", "3"},
+                                     {"simulate", "tiny.yaml", "-o", "tiny.yaml"}};
+  for (Words words : faulty) {
+    words.push_back("--json-progress");
+    const ProgramResult result = run(words);
+    EXPECT_EQ(result.code, 2);
+    ASSERT_FALSE(result.err_lines().empty());
+    for (const std::string& line : result.err_lines()) {
+      const auto json = nlohmann::json::parse(line, nullptr, false);
+      ASSERT_FALSE(json.is_discarded()) << line;
+      EXPECT_EQ(json["event"], "fault");
+      EXPECT_FALSE(json["text"].get<std::string>().empty());
+    }
+  }
 }
 
 TEST_F(Batch, ProgressForProgramsIsJson) {

@@ -59,12 +59,61 @@ TEST_F(KeySchema, AcceptsEveryShippedRunFile) {
   for (const std::string& line : judged(files)) EXPECT_THAT(line, ::testing::StartsWith("accepted")) << line;
 }
 
+constexpr const char* kParts = R"(backlight:
+  light_guide_plate: {length_mm: 20, width_mm: 10, thickness_mm: 0.6}
+  microstructure: {cells: [8, 4]}
+)";
+
+/// A run file with one row of LEDs of these keys, and these lines at the top.
+std::string with(const std::string& leds, const std::string& top) {
+  return std::string("evenglow: 1\n") + kParts + "  sources: [{kind: led_row, pitch_mm: 0.4, size_mm: [0.3, 0.3]" +
+         leds + "}]\n  films: [{kind: diffuser}]\ntrace: {photons: 1e4}\n" + top;
+}
+
+TEST_F(KeySchema, JudgesAsTheProgramDoes) {
+  struct Case {
+    const char* name;
+    std::string text;
+    bool allowed;
+  };
+  const std::string plain = with("", "");
+  const std::vector<Case> cases = {
+      {"plain", plain, true},
+      {"max_efficiency", with("", "design: {goal: max_efficiency, subject_to: {rms: 0.02}}\n"), true},
+      {"min_rms", with("", "design: {goal: min_rms, subject_to: {efficiency: 0.5}}\n"), true},
+      {"bound_range", with("", "design: {goal: min_rms, subject_to: {efficiency: 1.5}}\n"), false},
+      {"off_beyond_the_default", with(", count: 20, off: [15]", ""), true},
+      {"off_zero", with(", count: 20, off: [0]", ""), false},
+      {"include", "include: plain.yaml\ntitle: more\n", true},
+      {"include_part", std::string("evenglow: 1\nbacklight: {include: part.yaml}\n"), true},
+      {"include_beside_unknown", "include: plain.yaml\nbacklite: {}\n", false},
+      {"include_version_2", "include: plain.yaml\nevenglow: 2\n", false},
+      {"version_float", "evenglow: 1.5\n" + plain.substr(plain.find('\n') + 1), false},
+      {"version_zero", "evenglow: 0\n" + plain.substr(plain.find('\n') + 1), false},
+      {"backlight_none", "evenglow: 1\ntrace: {photons: 1e4}\n", false},
+      {"output_none", with("", "output: []\n"), false},
+      {"output_one", with("", "output: [json]\n"), true},
+      {"edges_none", with("", "").replace(plain.find("thickness"), 0, "entrance: {edges: []}, "), true},
+  };
+  write_text(folder_ / "part.yaml", plain.substr(plain.find("  light"), plain.find("trace") - plain.find("  light")));
+  std::vector<fs::path> files;
+  for (const Case& c : cases) {
+    files.push_back(folder_ / (std::string(c.name) + ".yaml"));
+    write_text(files.back(), c.text);
+  }
+  const auto lines = judged(files);
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    EXPECT_EQ(lines[i].starts_with("accepted"), cases[i].allowed) << lines[i];
+    const ProgramResult program = evenglow({"check", files[i].string()});
+    EXPECT_EQ(program.code == 0, cases[i].allowed) << files[i] << "\n" << program.err;
+  }
+}
+
 /// What a schema cannot know: keys that a value or another key of the same kind decides on, key paths of variants,
 /// files, YAML itself.
 const std::set<std::string> kBeyondASchema = {
-    "backlight_missing",   "diffuser_table_haze",        "exponent_without_pattern", "variant_unknown_key",
-    "variant_wrong_value", "variant_film_outside_stack", "density_limits_swapped",   "pattern_behind",
-    "microlens_fill"};
+    "diffuser_table_haze",        "exponent_without_pattern", "variant_unknown_key", "variant_wrong_value",
+    "variant_film_outside_stack", "density_limits_swapped",   "pattern_behind",      "microlens_fill"};
 
 TEST_F(KeySchema, RejectsEveryRunFileWithAFaultOfStructure) {
   const std::vector<fs::path> files = run_files(kSource / "tests/app/faulty");
@@ -108,6 +157,22 @@ TEST(KeyExplorer, FindsKeysThatOthersDecideOn) {
   EXPECT_TRUE(has("backlight.microstructure", "microlens", "aspect"));
   EXPECT_TRUE(has("backlight.size", "", "length_mm")) << "read without a plate only";
   EXPECT_FALSE(has("backlight.films[]", "lpp", "apex_deg"));
+}
+
+TEST(KeyExplorer, RequiresOnlyWhatEveryReadingDemands) {
+  const auto keys = app::explore_keys();
+  const auto required = [&](const std::string& node, const std::string& key) {
+    const auto found = std::find_if(keys.begin(), keys.end(),
+                                    [&](const core::DeclaredKey& k) { return k.node == node && k.key == key; });
+    EXPECT_NE(found, keys.end()) << node << " " << key;
+    return found != keys.end() && found->required;
+  };
+  EXPECT_TRUE(required("", "evenglow"));
+  EXPECT_TRUE(required("", "backlight"));
+  EXPECT_TRUE(required("backlight.films[]", "kind"));
+  EXPECT_TRUE(required("optimize[]", "range"));
+  EXPECT_FALSE(required("design.subject_to", "rms")) << "demanded by one goal only";
+  EXPECT_FALSE(required("design.subject_to", "efficiency")) << "demanded by one goal only";
 }
 
 }  // namespace

@@ -35,6 +35,14 @@ TEST(Progress, WithoutATerminalOnlyLinesAreWritten) {
   EXPECT_EQ(::testing::internal::GetCapturedStderr(), "done\n");
 }
 
+TEST(Progress, AFaultForProgramsIsAnObject) {
+  ::testing::internal::CaptureStderr();
+  tell("fault", "a \"b\"\xff", true);
+  tell("fault", "plain", false);
+  EXPECT_EQ(::testing::internal::GetCapturedStderr(),
+            "{\"event\":\"fault\",\"text\":\"a \\\"b\\\"\xEF\xBF\xBD\"}\nplain\n");
+}
+
 TEST(Progress, QuietWritesNothing) {
   ::testing::internal::CaptureStderr();
   {

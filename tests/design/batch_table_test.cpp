@@ -39,6 +39,18 @@ TEST(BatchTable, WhatIsNoNumberReadsBackAsSuch) {
   EXPECT_TRUE(std::isnan(read_batch_json(batch_json(table)).rows[0].final.uniformity_9));
 }
 
+TEST(BatchTable, WhatIsLeftFromAnEarlierBatchIsTold) {
+  BatchTable table = sample();
+  EXPECT_EQ(left_over_text(table), "");
+  EXPECT_THAT(batch_html(table, "/nowhere"), ::testing::Not(HasSubstr("not of this batch")));
+  table.left_over = {"p3", "<b>"};
+  EXPECT_EQ(left_over_text(table), "not of this batch: p3, <b> (left from an earlier one)");
+  EXPECT_THAT(batch_html(table, "/nowhere"), HasSubstr("not of this batch: p3, &lt;b&gt; (left"));
+  EXPECT_EQ(read_batch_json(batch_json(table)).left_over, table.left_over);
+  table.left_over.assign(25, "p");
+  EXPECT_THAT(left_over_text(table), HasSubstr(", p and 5 more (left"));
+}
+
 TEST(BatchTable, OtherJsonIsRefused) {
   for (const char* text : {"", "{}", "[]", "{\"format\": \"evenglow-batch/2\"}", "{\"format\": 3}",
                            "{\"format\": \"evenglow-batch/1\", \"version\": \"\", \"title\": \"\", \"command\": \"\", "

@@ -27,14 +27,14 @@ TEST(JsonWriter, ResultHasThePromisedKeys) {
   EXPECT_THAT(keys(json), IsSupersetOf({"format", "version", "title", "run_file_sha256", "seed", "threads", "ranks",
                                         "stop_reason", "steps", "final", "energy", "timing", "command", "overrides",
                                         "luminance_estimator", "notes"}));
-  EXPECT_THAT(keys(json["steps"][0]),
-              ElementsAre("step", "photons", "rms", "rms_corrected", "rms_corrected_se", "efficiency", "efficiency_se",
-                          "mean_density", "luminance_mean_cd_m2", "noise", "held_low", "held_high", "updater",
-                          "level_photons"));
-  EXPECT_THAT(keys(json["final"]), ElementsAre("photons", "rms", "rms_corrected", "rms_corrected_se", "uniformity_9",
-                                               "uniformity_13", "luminance_mean_cd_m2", "luminance_mean_se",
-                                               "luminance_centre_cd_m2", "efficiency", "efficiency_se", "rms_95_low",
-                                               "rms_95_high"));
+  EXPECT_THAT(keys(json["steps"][0]), ElementsAre("step", "photons", "rms", "rms_corrected", "rms_corrected_se",
+                                                  "efficiency", "efficiency_se", "mean_density", "luminance_mean_cd_m2",
+                                                  "noise", "held_low", "held_high", "updater", "level_photons"));
+  EXPECT_THAT(
+      keys(json["final"]),
+      ElementsAre("photons", "rms", "rms_corrected", "rms_corrected_se", "uniformity_9", "uniformity_13",
+                  "luminance_mean_cd_m2", "luminance_mean_se", "luminance_centre_cd_m2", "efficiency", "efficiency_se",
+                  "rms_95_low", "rms_95_high", "uniformity_9_se", "uniformity_13_se", "luminance_centre_se"));
   EXPECT_THAT(keys(json["energy"]), ElementsAre("emitted_lm", "escaped", "absorbed", "lost"));
   EXPECT_THAT(keys(json["energy"]["escaped"]), ElementsAre("left", "right", "front", "back", "bottom", "top"));
   EXPECT_THAT(keys(json["timing"]), ElementsAre("wall_s", "cpu_s", "photons_per_cpu_s", "processor", "steps"));

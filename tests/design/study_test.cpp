@@ -47,6 +47,14 @@ TEST(Study, NoTextBecomesMarkup) {
   EXPECT_THAT(study_html(study), Not(HasSubstr("<b onclick")));
 }
 
+TEST(Study, DensitiesHaveNoUnit) {
+  EXPECT_THAT(study_html(sample()), Not(HasSubstr("\"unit\":\"1\"")));
+}
+
+TEST(Study, AWideTableScrollsWithinItsBox) {
+  EXPECT_THAT(study_html(sample()), HasSubstr("<div class=\"scroll\"><table>"));
+}
+
 TEST(Study, TextHasAlignedColumns) {
   EXPECT_EQ(study_text(sample()),
             "method       RMS (%)\n"

@@ -25,12 +25,15 @@ double cut_normal(core::PhotonRng& rng) {
 }
 
 std::vector<int> read_off(const core::ConfigNode& node, int count) {
-  const auto numbers =
-      node.numbers({"off", "LEDs that stay dark, counted from 1 along the edge",
-                    Range::closed(1, static_cast<double>(count)), 0, 10000, std::vector<double>{}, true});
+  const auto numbers = node.numbers({"off", "LEDs that stay dark, counted from 1 along the edge",
+                                     Range::closed(1, 10000), 0, 10000, std::vector<double>{}, true});
   std::vector<int> off;
-  for (const double number : numbers) {
-    const int led = static_cast<int>(number) - 1;
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    const int led = static_cast<int>(numbers[i]) - 1;
+    if (led >= count) {  // not the declared range, as that is told in the key reference for every row
+      node.fault_at(fmt::format("off[{}]", i),
+                    fmt::format("must lie in [1, {}], got {} (the row has {} LEDs: its count)", count, led + 1, count));
+    }
     if (std::find(off.begin(), off.end(), led) != off.end()) {
       node.fault_at("off", fmt::format("must not name an LED twice, got {} again", led + 1));
     }
