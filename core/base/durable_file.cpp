@@ -8,47 +8,24 @@
 #include <unistd.h>
 
 #include "core/base/error.h"
+#include "core/base/file_descriptor.h"
 
 namespace evenglow::core {
 namespace {
 
 namespace fs = std::filesystem;
 
-std::error_code last_error() {
-  return {errno, std::generic_category()};
-}
-
-class Descriptor {
- public:
-  explicit Descriptor(int number) : number_(number) {}
-  ~Descriptor() {
-    if (number_ >= 0) ::close(number_);
-  }
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-  int number() const { return number_; }
-  /// Some file systems tell only here that a write has failed.
-  std::error_code close() {
-    const int closing = number_;
-    number_ = -1;
-    return ::close(closing) == 0 ? std::error_code() : last_error();
-  }
-
- private:
-  int number_;
-};
-
 /// Writes and flushes; what went wrong, if anything.
 std::error_code write_flushed(const fs::path& file, std::string_view text) {
-  Descriptor out(::open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644));
-  if (out.number() < 0) return last_error();
+  FileDescriptor out(::open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644));
+  if (out.number() < 0) return last_system_error();
   while (!text.empty()) {
     const ssize_t count = ::write(out.number(), text.data(), text.size());
     if (count < 0 && errno == EINTR) continue;
-    if (count < 0) return last_error();
+    if (count < 0) return last_system_error();
     text.remove_prefix(static_cast<std::size_t>(count));
   }
-  if (::fsync(out.number()) != 0) return last_error();
+  if (::fsync(out.number()) != 0) return last_system_error();
   return out.close();
 }
 
@@ -58,7 +35,7 @@ fs::path folder_of(const fs::path& file) {
 
 /// A folder that cannot be flushed (some network file systems) is no reason to lose a run: the file is there.
 void flush_folder(const fs::path& folder) {
-  const Descriptor descriptor(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  const FileDescriptor descriptor(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
   if (descriptor.number() >= 0) ::fsync(descriptor.number());
 }
 

@@ -10,24 +10,11 @@
 #include <unistd.h>
 
 #include "core/base/error.h"
+#include "core/base/file_descriptor.h"
 #include "core/config/message_text.h"
 
 namespace evenglow::core {
 namespace {
-
-class Descriptor {
- public:
-  explicit Descriptor(int number) : number_(number) {}
-  ~Descriptor() {
-    if (number_ >= 0) ::close(number_);
-  }
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-  int number() const { return number_; }
-
- private:
-  int number_;
-};
 
 [[noreturn]] void refuse(const std::filesystem::path& file, const std::string& message) {
   throw ConfigError(Fault{one_line(file.string()), 0, 0, "", message});
@@ -55,7 +42,7 @@ void check_kind_and_size(const std::filesystem::path& file, const struct stat& i
 std::string read_text_file(const std::filesystem::path& file, std::size_t max_bytes) {
   if (file.empty()) refuse("", "must be the name of a file, got an empty name");
   // Without O_NONBLOCK the opening of a pipe would wait for its writer.
-  const Descriptor descriptor(::open(file.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC | O_NOCTTY));
+  const FileDescriptor descriptor(::open(file.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC | O_NOCTTY));
   if (descriptor.number() < 0) refuse(file, "cannot be opened: " + reason(errno));
   struct stat info {};
   if (::fstat(descriptor.number(), &info) != 0) refuse(file, "cannot be examined: " + reason(errno));

@@ -22,23 +22,9 @@ class Faults : public ::testing::Test {
   Faults() { write_text(folder_ / "tiny.yaml", kTinyRun); }
 
   static Words design(const std::string& out, const Words& more = {}) {
-    Words words = {"design",    "tiny.yaml",
-                   "-o",        out,
-                   "--threads", "1",
-                   "--photons", "5e4",
-                   "--set",     "design.max_steps=6",
-                   "--set",     "design.first_photons=2e4"};
-    words.insert(words.end(), more.begin(), more.end());
-    return words;
-  }
-
-  /// The steps of the newest checkpoint, of itself or of the step before.
-  std::size_t saved_steps() const {
-    for (const char* name : {"checkpoint.json", "checkpoint.previous.json"}) {
-      const auto state = nlohmann::json::parse(file_text(folder_ / "out" / name), nullptr, false);
-      if (!state.is_discarded()) return state["steps"].size();
-    }
-    return 0;
+    return design_words(
+        out, {"--threads", "1", "--photons", "5e4", "--set", "design.max_steps=6", "--set", "design.first_photons=2e4"},
+        more);
   }
 
   /// Kills designs at random moments of their time, and has each go on: to the bits of one that was let alone.
@@ -63,7 +49,7 @@ class Faults : public ::testing::Test {
       }
       std::size_t told = 0;
       for (const std::string& line : killed.err_lines()) told += line.starts_with("step ") ? 1 : 0;
-      EXPECT_GE(saved_steps() + 1, told) << "more than a step was lost";
+      EXPECT_GE(saved_steps(folder_ / "out") + 1, told) << "more than a step was lost";
       const ProgramResult resumed = evenglow(design("out", {"--resume"}), folder_.path());
       ASSERT_EQ(resumed.code, 0) << resumed.err;
       EXPECT_EQ(lasting_part(folder_ / "out" / "result.json"), expected);
@@ -120,7 +106,7 @@ TEST_F(Faults, ADiskThatFillsIsToldWhenItDoesAndTheStateStays) {
   ASSERT_EQ(::prlimit(pid, RLIMIT_FSIZE, &limit, nullptr), 0);
   const ProgramResult stopped = program->wait(60);
   EXPECT_EQ(stopped.code, 1);
-  EXPECT_NE(saved_steps(), 0u);
+  EXPECT_NE(saved_steps(folder_ / "out"), 0u);
   EXPECT_FALSE(std::filesystem::exists(folder_ / "out" / "checkpoint.json.part"));
 }
 
@@ -165,7 +151,8 @@ TEST_F(Faults, OfADamagedCheckpointTheOneBeforeIsUsed) {
   whole[3] = "whole";
   ASSERT_EQ(evenglow(whole, folder_.path()).code, 0);
   Program program(words_of(EVENGLOW_PROGRAM, words), folder_.path());
-  while (program.is_running() && saved_steps() < 3) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  while (program.is_running() && saved_steps(folder_ / "out") < 3)
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
   program.send(SIGKILL);
   program.wait(60);
   const auto checkpoint = folder_ / "out" / "checkpoint.json";

@@ -49,4 +49,22 @@ inline std::string lasting_part(const std::filesystem::path& result_file) {
   return result.dump(1);
 }
 
+/// `design` of tiny.yaml with these settings, and what comes on top.
+inline std::vector<std::string> design_words(const std::string& out, const std::vector<std::string>& settings,
+                                             const std::vector<std::string>& more) {
+  std::vector<std::string> words = {"design", "tiny.yaml", "-o", out};
+  words.insert(words.end(), settings.begin(), settings.end());
+  words.insert(words.end(), more.begin(), more.end());
+  return words;
+}
+
+/// The steps of the newest checkpoint of a result directory, of itself or of the step before.
+inline std::size_t saved_steps(const std::filesystem::path& directory) {
+  for (const char* name : {"checkpoint.json", "checkpoint.previous.json"}) {
+    const auto state = nlohmann::json::parse(file_text(directory / name), nullptr, false);
+    if (!state.is_discarded()) return state["steps"].size();
+  }
+  return 0;
+}
+
 }  // namespace evenglow::tests

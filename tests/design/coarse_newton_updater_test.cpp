@@ -6,7 +6,7 @@
 
 #include "design/engine/traced_model.h"
 #include "design/updaters/coarse_basis.h"
-#include "tests/support/analytic_backlight.h"
+#include "tests/design/without_records.h"
 #include "tests/support/scenes.h"
 
 namespace evenglow::design {
@@ -99,16 +99,7 @@ TEST(CoarseNewton, SolvesWhatIsCoarseInOneStep) {
 }
 
 TEST(CoarseNewton, IsTheNoiseAwareRatioWithoutRecords) {
-  const tests::AnalyticBacklight backlight;
-  const ForwardModel model = backlight;
-  DesignState state{{core::CellField(backlight.grid, 0.1)}, {}};
-  state.observation = *model(state.density, 100'000, 0);
-  DesignSpec spec;
-  UpdaterMemory memory;
-  const Proposal newton = make_updater("coarse_newton")->propose(state, spec, memory);
-  EXPECT_EQ(newton.density.cells.values,
-            make_updater("ratio_noise_aware")->propose(state, spec, memory).density.cells.values);
-  EXPECT_EQ(newton.method, "ratio_noise_aware");
+  EXPECT_EQ(tests::expect_noise_aware_ratio_without_records("coarse_newton").method, "ratio_noise_aware");
 }
 
 }  // namespace

@@ -5,7 +5,7 @@
 
 #include "design/engine/design_loop.h"
 #include "design/engine/traced_model.h"
-#include "tests/support/analytic_backlight.h"
+#include "tests/design/without_records.h"
 #include "tests/support/scenes.h"
 
 namespace evenglow::design {
@@ -48,15 +48,7 @@ INSTANTIATE_TEST_SUITE_P(Methods, GradientBy, testing::Values("lbfgs", "mma"),
                          [](const auto& method) { return method.param; });
 
 TEST(GradientUpdater, IsTheNoiseAwareRatioWithoutRecords) {
-  const tests::AnalyticBacklight backlight;
-  const ForwardModel model = backlight;
-  DesignState state{{core::CellField(backlight.grid, 0.1)}, {}};
-  state.observation = *model(state.density, 100'000, 0);
-  DesignSpec spec;
-  UpdaterMemory memory;
-  const Proposal proposal = make_updater("gradient")->propose(state, spec, memory);
-  EXPECT_EQ(proposal.density.cells.values,
-            make_updater("ratio_noise_aware")->propose(state, spec, memory).density.cells.values);
+  tests::expect_noise_aware_ratio_without_records("gradient");
 }
 
 }  // namespace

@@ -71,21 +71,8 @@ class Mpi : public ::testing::Test {
   }
 
   static Words design(const std::string& out, const Words& more = {}) {
-    Words words = {"design",    "tiny.yaml",
-                   "-o",        out,
-                   "--photons", "1e5",
-                   "--set",     "design.max_steps=4",
-                   "--set",     "design.first_photons=3e4"};
-    words.insert(words.end(), more.begin(), more.end());
-    return words;
-  }
-
-  std::size_t saved_steps() const {
-    for (const char* name : {"checkpoint.json", "checkpoint.previous.json"}) {
-      const auto state = nlohmann::json::parse(file_text(folder_ / "out" / name), nullptr, false);
-      if (!state.is_discarded()) return state["steps"].size();
-    }
-    return 0;
+    return design_words(out, {"--photons", "1e5", "--set", "design.max_steps=4", "--set", "design.first_photons=3e4"},
+                        more);
   }
 
   /// Starts a design on ranks and sends the signal to one of them (-1: to mpirun) after its step 2.
@@ -95,7 +82,8 @@ class Mpi : public ::testing::Test {
     const Words launched = mpirun(ranks, design("out", more));
     words.insert(words.end(), launched.begin(), launched.end());
     Program program(words, folder_.path());
-    while (program.is_running() && saved_steps() < 2) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    while (program.is_running() && saved_steps(folder_ / "out") < 2)
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
     const int launcher = std::stoi(file_text(folder_ / "pid"));
     if (rank < 0) {
       ::kill(launcher, signal);
@@ -183,7 +171,7 @@ TEST_P(MpiBlow, ARunGoesOnOnAnyNumberOfRanks) {
     EXPECT_NE(result.code, 0) << result.err;
     EXPECT_FALSE(result.timed_out);
     EXPECT_FALSE(result.err.empty());
-    EXPECT_GE(saved_steps(), 1u) << result.err;
+    EXPECT_GE(saved_steps(folder_ / "out"), 1u) << result.err;
     const ProgramResult resumed = run(ranks, design("out", resume));
     ASSERT_EQ(resumed.code, 0) << resumed.err;
     EXPECT_TRUE(bits_of(folder_ / "out") == expected) << ranks;

@@ -8,8 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "core/base/units.h"
-#include "core/config/config_node.h"
-#include "tests/support/scenes.h"
+#include "tests/support/shipped_backlight.h"
 #include "tracer/transport/tracer.h"
 
 /// The next-event estimate against counting for the stacks of configs/: 2 x 10^7 photons each, at least 3000 cells. The
@@ -29,13 +28,7 @@ void PrintTo(const ConfigCase& config, std::ostream* os) {
 }
 
 BacklightSpec spec_of(const ConfigCase& config, LuminanceEstimator estimator) {
-  auto document = core::ConfigDocument::load(std::string(EVENGLOW_SOURCE_DIR) + "/configs/" + config.file + ".yaml");
-  const auto variants = document.variants();
-  for (const auto& [name, overrides] : variants) {
-    if (name != config.variant) continue;
-    for (const auto& change : overrides) document.apply(change);
-  }
-  BacklightSpec spec = read_backlight(document.root().map("backlight", "the backlight"));
+  BacklightSpec spec = shipped_backlight(config.file + ".yaml", config.variant);
   const core::CellGrid cells = spec.luminance.cells;
   if (cells.size() < 3000) {
     spec.luminance.cells = core::CellGrid::over(64, 48, cells.x0, cells.y0, cells.x0 + cells.nx * cells.dx,
@@ -87,13 +80,12 @@ TEST_P(EstimatorConfigsLong, NextEventAgreesWithCounting) {
 
 INSTANTIATE_TEST_SUITE_P(Configs, EstimatorConfigsLong,
                          testing::Values(ConfigCase{"dbef_vs_lpp", "lpp"}, ConfigCase{"dbef_vs_lpp", "dbef"},
-                                         ConfigCase{"dbef_vs_lpp", "dbef_lpp"}, ConfigCase{"tablet_dbef", "itself"},
-                                         ConfigCase{"monitor_two_edges", "itself"},
-                                         ConfigCase{"phone_stack", "dbef_mirror"},
+                                         ConfigCase{"dbef_vs_lpp", "dbef_lpp"}, ConfigCase{"tablet_dbef", ""},
+                                         ConfigCase{"monitor_two_edges", ""}, ConfigCase{"phone_stack", "dbef_mirror"},
                                          ConfigCase{"phone_stack", "lpp_mirror"},
                                          ConfigCase{"phone_stack", "dbef_white"},
-                                         ConfigCase{"phone_stack", "lpp_white"}, ConfigCase{"notebook_stack", "itself"},
-                                         ConfigCase{"monitor_stack", "itself"}),
+                                         ConfigCase{"phone_stack", "lpp_white"}, ConfigCase{"notebook_stack", ""},
+                                         ConfigCase{"monitor_stack", ""}),
                          name_of);
 
 }  // namespace

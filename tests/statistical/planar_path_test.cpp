@@ -1,28 +1,18 @@
-#include <cmath>
-#include <cstdio>
+#include <ostream>
 #include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
 
-#include "core/config/config_node.h"
-#include "tests/support/chi_square.h"
-#include "tests/support/two_paths.h"
-#include "tests/support/z_test.h"
+#include "tests/support/path_agreement.h"
+#include "tests/support/shipped_backlight.h"
 
 /// The planar path against the general one: two independent traces of every kind of backlight that the planar path
-/// takes. Seeds fixed. Each entry of the energy account and the mean luminance: |z| with the standard errors of both,
-/// false alarm 0.27 % (3 sigma) for all entries of a scene together; the cells' luminance: chi-square.
+/// takes. Seeds fixed, false alarm 0.27 % a scene.
 namespace evenglow::tests {
 namespace {
 
 using namespace tracer;
-
-constexpr double kThreeSigma = 0.0027;
-
-struct Case {
-  std::string name, yaml;
-};
 
 const std::string kPlate =
     "light_guide_plate: {length_mm: 30, width_mm: 20, thickness_mm: 2, refractive_index: 1.5, absorption_per_m: 2}, ";
@@ -36,7 +26,7 @@ std::string led(const std::string& edge, const std::string& gap) {
   return "{kind: led_row, edge: " + edge + ", count: 3, pitch_mm: 5, size_mm: [2.6, 0.4], gap_mm: " + gap + "}";
 }
 
-std::vector<Case> cases() {
+std::vector<NamedBacklight> backlights() {
   const std::string dots = "microstructure: {cells: [7, 5], density: 0.3}, ";
   const std::string diffuser = "{kind: diffuser, transmittance: 0.88, reflectance: 0.1, haze: 0.95, fwhm_deg: 60}";
   return {
@@ -97,46 +87,43 @@ std::vector<Case> cases() {
 void expect_agreement(const std::string& name, const Scene& scene, const TraceSetup& setup, double chi_tolerance) {
   ASSERT_TRUE(takes_planar_path(scene, TracePath::kPlanar)) << name;
   const TwoPaths paths = traced_by_both(scene, initial_density(scene.spec), setup);
-  const PathDifference d = difference_of(scene, paths);
-  const double per_cell = d.cells > 0 ? d.chi_square / d.cells : 1.0;
-  EXPECT_LT(d.worst_z, z_limit(kThreeSigma, static_cast<std::size_t>(d.comparisons))) << name << ": " << d.worst_entry;
-  if (d.cells > 1000) {
-    EXPECT_NEAR(per_cell, 1.0, chi_tolerance) << name;
-  }
-  // The spread of a photon's number of events is about its mean: 8 / sqrt(photons) is more than 4 sigma.
-  EXPECT_NEAR(d.events_ratio, 1.0, 8.0 / std::sqrt(static_cast<double>(setup.photons))) << name;
-  std::printf("%-28s worst of %2d entries: %.2f sigma (%s); chi-square per cell %.3f of %d; events %.5f\n",
-              name.c_str(), d.comparisons, d.worst_z, d.worst_entry.c_str(), per_cell, d.cells, d.events_ratio);
+  expect_paths_agree(name, scene, paths, setup, chi_tolerance);
 }
 
 TEST(PlanarPath, AgreesWithTheGeneralPath) {
   // 13 scenes of few photons: false alarm 13 x 0.27 %.
-  for (const Case& c : cases()) expect_agreement(c.name, scene_of(c.yaml), {40'000, 21, 40, 1}, 0.3);
+  for (const NamedBacklight& c : backlights()) expect_agreement(c.name, scene_of(c.yaml), {40'000, 21, 40, 1}, 0.3);
 }
 
 TEST(PlanarPathLong, AgreesInEveryKindOfScene) {
-  for (const Case& c : cases()) expect_agreement(c.name, scene_of(c.yaml), {20'000'000, 31, 200, 0}, 0.08);
+  for (const NamedBacklight& c : backlights())
+    expect_agreement(c.name, scene_of(c.yaml), {20'000'000, 31, 200, 0}, 0.08);
 }
 
-Scene scene_of_config(const std::string& file, const std::string& variant) {
-  auto document = core::ConfigDocument::load(std::string(EVENGLOW_SOURCE_DIR) + "/configs/" + file);
-  for (const auto& [name, changes] : document.variants()) {
-    if (name != variant) continue;
-    for (const auto& change : changes) document.apply(change);
-  }
-  return compile_scene(read_backlight(document.root().map("backlight", "the backlight")));
+struct Shipped {
+  std::string file, variant;
+};
+
+void PrintTo(const Shipped& shipped, std::ostream* os) {
+  *os << shipped.file << " " << shipped.variant;
+}
+
+class PlanarPathShippedLong : public testing::TestWithParam<Shipped> {};
+
+TEST_P(PlanarPathShippedLong, Agrees) {
+  const auto& [file, variant] = GetParam();
+  const Scene scene = compile_scene(shipped_backlight(file + ".yaml", variant));
+  expect_agreement(file + " " + variant, scene, {20'000'000, 51, 200, 0}, 0.08);
 }
 
 /// The three variants of the main job, and every backlight that is shipped.
-TEST(PlanarPathLong, AgreesForTheShippedBacklights) {
-  for (const char* variant : {"lpp", "dbef", "dbef_lpp"}) {
-    expect_agreement(variant, scene_of_config("dbef_vs_lpp.yaml", variant), {20'000'000, 41, 200, 0}, 0.08);
-  }
-  for (const char* file : {"phone_dbef.yaml", "phone_lpp.yaml", "tablet_dbef.yaml", "monitor_two_edges.yaml",
-                           "notebook_stack.yaml", "phone_stack.yaml", "monitor_stack.yaml"}) {
-    expect_agreement(file, scene_of_config(file, ""), {20'000'000, 51, 200, 0}, 0.08);
-  }
-}
+INSTANTIATE_TEST_SUITE_P(Configs, PlanarPathShippedLong,
+                         testing::Values(Shipped{"dbef_vs_lpp", "lpp"}, Shipped{"dbef_vs_lpp", "dbef"},
+                                         Shipped{"dbef_vs_lpp", "dbef_lpp"}, Shipped{"phone_dbef", ""},
+                                         Shipped{"phone_lpp", ""}, Shipped{"tablet_dbef", ""},
+                                         Shipped{"monitor_two_edges", ""}, Shipped{"notebook_stack", ""},
+                                         Shipped{"phone_stack", ""}, Shipped{"monitor_stack", ""}),
+                         [](const auto& shipped) { return shipped.param.file + "_" + shipped.param.variant; });
 
 }  // namespace
 }  // namespace evenglow::tests

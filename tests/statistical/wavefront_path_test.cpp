@@ -1,30 +1,18 @@
-#include <cmath>
-#include <cstdio>
-#include <fstream>
-#include <iterator>
 #include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
 
-#include "core/config/config_node.h"
-#include "tests/support/two_paths.h"
-#include "tests/support/z_test.h"
+#include "tests/support/path_agreement.h"
+#include "tests/support/shipped_backlight.h"
 #include "tracer/transport/wavefront_plate.h"
 
 /// The wavefront against the scalar planar path: two independent traces of backlights that use every part of the vector
-/// kernel. Seeds fixed. Each entry of the energy account and the mean luminance: |z| with the standard errors of both,
-/// false alarm 0.27 % (3 sigma) for all entries of a scene together; the cells' luminance: chi-square.
+/// kernel. Seeds fixed, false alarm 0.27 % a scene.
 namespace evenglow::tests {
 namespace {
 
 using namespace tracer;
-
-constexpr double kThreeSigma = 0.0027;
-
-struct Case {
-  std::string name, yaml;
-};
 
 const std::string kPlate =
     "light_guide_plate: {length_mm: 30, width_mm: 20, thickness_mm: 2, refractive_index: 1.5, absorption_per_m: 2}, ";
@@ -52,7 +40,7 @@ std::string polarizing(const std::string& film) {
          film + "], " + kCells;
 }
 
-std::vector<Case> cases() {
+std::vector<NamedBacklight> backlights() {
   return {
       {"bare slab", kPlate + kFace + kCells},
       {"dots, mirrors", kPlate + kMirrors + kFace + kDots + kCells},
@@ -101,25 +89,16 @@ void expect_agreement(const std::string& name, const Scene& scene, const TraceSe
   std::string reason;
   ASSERT_TRUE(wavefront_serves(scene, &reason)) << name << ": " << reason;
   const TwoPaths paths = traced_by(TracePath::kPlanar, TracePath::kWavefront, scene, uneven_density(scene), setup);
-  const PathDifference d = difference_of(scene, paths);
-  const double per_cell = d.cells > 0 ? d.chi_square / d.cells : 1.0;
-  EXPECT_LT(d.worst_z, z_limit(kThreeSigma, static_cast<std::size_t>(d.comparisons))) << name << ": " << d.worst_entry;
-  if (d.cells > 1000) {
-    EXPECT_NEAR(per_cell, 1.0, chi_tolerance) << name;
-  }
-  // The spread of a photon's number of events is about its mean: 8 / sqrt(photons) is more than 4 sigma.
-  EXPECT_NEAR(d.events_ratio, 1.0, 8.0 / std::sqrt(static_cast<double>(setup.photons))) << name;
-  std::printf("%-28s worst of %2d entries: %.2f sigma (%s); chi-square per cell %.3f of %d; events %.5f\n",
-              name.c_str(), d.comparisons, d.worst_z, d.worst_entry.c_str(), per_cell, d.cells, d.events_ratio);
+  expect_paths_agree(name, scene, paths, setup, chi_tolerance);
 }
 
 TEST(WavefrontPath, AgreesWithThePlanarPath) {
   // 12 scenes: false alarm 12 x 0.27 %.
-  for (const Case& c : cases()) expect_agreement(c.name, scene_of(c.yaml), {200'000, 21, 40, 1}, 0.3);
+  for (const NamedBacklight& c : backlights()) expect_agreement(c.name, scene_of(c.yaml), {200'000, 21, 40, 1}, 0.3);
 }
 
 /// S1 and S2 of docs/performance.md, and S2 with crossed prism films.
-std::vector<Case> bench_cases() {
+std::vector<NamedBacklight> bench_backlights() {
   const std::string slab =
       "light_guide_plate: {length_mm: 100, width_mm: 60, thickness_mm: 3, material: pmma}, "
       "microstructure: {face: bottom, cells: [100, 60], kind: printed_dot, reflectance: 0.95, density: 0.2}, "
@@ -136,31 +115,20 @@ std::vector<Case> bench_cases() {
 }
 
 TEST(WavefrontPathLong, AgreesOnTheBenchmarksScenes) {
-  for (const Case& c : bench_cases()) expect_agreement(c.name, scene_of(c.yaml), {20'000'000, 61, 200, 2}, 0.08);
+  for (const NamedBacklight& c : bench_backlights())
+    expect_agreement(c.name, scene_of(c.yaml), {20'000'000, 61, 200, 2}, 0.08);
 }
 
 TEST(WavefrontPathLong, AgreesInEveryKindOfScene) {
-  for (const Case& c : cases()) expect_agreement(c.name, scene_of(c.yaml), {20'000'000, 31, 200, 2}, 0.08);
-}
-
-/// A shipped backlight whose luminance is counted.
-Scene counted_config(const std::string& file, const std::string& variant) {
-  const std::string path = std::string(EVENGLOW_SOURCE_DIR) + "/configs/" + file;
-  std::ifstream stream(path);
-  std::string text{std::istreambuf_iterator<char>(stream), {}};
-  const std::string cone = "cone_deg: 10,";
-  text.replace(text.find(cone), cone.size(), cone + " estimator: counting,");
-  auto document = core::ConfigDocument::parse(text, path);
-  for (const auto& [name, changes] : document.variants()) {
-    if (name != variant) continue;
-    for (const auto& change : changes) document.apply(change);
-  }
-  return compile_scene(read_backlight(document.root().map("backlight", "the backlight")));
+  for (const NamedBacklight& c : backlights())
+    expect_agreement(c.name, scene_of(c.yaml), {20'000'000, 31, 200, 2}, 0.08);
 }
 
 TEST(WavefrontPathLong, AgreesForTheMainJob) {
   for (const char* variant : {"lpp", "dbef", "dbef_lpp"}) {
-    expect_agreement(variant, counted_config("dbef_vs_lpp.yaml", variant), {20'000'000, 71, 200, 2}, 0.08);
+    BacklightSpec spec = shipped_backlight("dbef_vs_lpp.yaml", variant);
+    spec.luminance.estimator = LuminanceEstimator::kCounting;
+    expect_agreement(variant, compile_scene(std::move(spec)), {20'000'000, 71, 200, 2}, 0.08);
   }
 }
 

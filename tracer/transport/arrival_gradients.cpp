@@ -1,129 +1,128 @@
 #include <algorithm>
-#include <bit>
 #include <utility>
 
 #include "core/base/error.h"
 #include "tracer/transport/arrival_factors.h"
 #include "tracer/transport/arrival_records.h"
+#include "tracer/transport/arrival_replay.h"
 
 /// Derivatives of recorded luminance in many directions at once.
 namespace evenglow::tracer {
 namespace {
 
-constexpr std::uint32_t kIndexMask = ArrivalLog::kMostIndex;
+/// Sums of one batch: dS/d ln density of each cell. A history is replayed to its end, then run through backwards, where
+/// each event takes what came after it.
+class BatchGradient {
+ public:
+  /// `weights`: of each bin in S.
+  BatchGradient(const ArrivalFactors& factors, const std::vector<double>& weights)
+      : factors_(factors), weights_(weights), weight_(factors), sums_(factors.met.size()) {}
 
-LogKind kind_of(std::uint32_t word) {
-  return static_cast<LogKind>(word >> ArrivalLog::kKindShift);
-}
+  void arrive(std::uint32_t cell, bool met) {
+    weight_.arrive(cell, met);
+    events_.push_back({met ? LogKind::kMet : LogKind::kPassed, cell, 0.0});
+  }
+  void cross(std::uint32_t cell) {
+    weight_.cross(cell);
+    events_.push_back({LogKind::kCrossed, cell, 0.0});
+  }
+  void share(std::uint32_t cell) {
+    weight_.share(cell);
+    events_.push_back({LogKind::kShare, cell, 0.0});
+  }
+  void deposit(std::uint32_t bin, double amount, bool shared) {
+    const double value = weights_[bin] * weight_.of_deposit(shared) * amount;
+    events_.push_back({shared ? LogKind::kShared : LogKind::kDeposit, bin, value});
+  }
+  void end_photon() {
+    add_backwards();
+    events_.clear();
+    weight_.end_photon();
+  }
+  std::vector<double> take() { return std::move(sums_); }
 
-/// A word of a history with what its deposit adds to the sum.
-struct Event {
-  std::uint32_t word;
-  double value;
+ private:
+  struct Event {
+    LogKind kind;
+    std::uint32_t index;
+    double value;  ///< what a deposit adds to S
+  };
+
+  void add_backwards() {
+    double later = 0.0, shared = 0.0, next = 0.0;
+    for (auto event = events_.rbegin(); event != events_.rend(); ++event) {
+      switch (event->kind) {
+        case LogKind::kPassed:
+          sums_[event->index] += factors_.slope_passed[event->index] * later;
+          break;
+        case LogKind::kMet:
+          sums_[event->index] += later;
+          break;
+        case LogKind::kCrossed:
+          sums_[event->index] += factors_.slope_passed[event->index] * next;
+          break;
+        case LogKind::kShare:
+          sums_[event->index] += shared;
+          shared = 0.0;
+          break;
+        case LogKind::kShared:
+          shared += event->value;
+          [[fallthrough]];
+        case LogKind::kDeposit:
+          later += event->value;
+          next = event->value;
+          break;
+        case LogKind::kPhotonEnd:
+          break;
+      }
+    }
+  }
+
+  const ArrivalFactors& factors_;
+  const std::vector<double>& weights_;
+  HistoryWeight weight_;
+  std::vector<double> sums_;
+  std::vector<Event> events_;
 };
-
-/// Forward through a history: the value of each deposit. Returns the word after its end.
-const std::uint32_t* values_of(const std::uint32_t* at, const ArrivalFactors& factors,
-                               const std::vector<double>& weights, std::vector<Event>& events) {
-  double weight = 1.0, crossed = 1.0, share = 1.0;
-  events.clear();
-  for (;; ++at) {
-    const std::uint32_t index = *at & kIndexMask;
-    Event event{*at, 0.0};
-    switch (kind_of(*at)) {
-      case LogKind::kPassed:
-        weight *= factors.passed[index];
-        break;
-      case LogKind::kMet:
-        weight *= factors.met[index];
-        break;
-      case LogKind::kCrossed:
-        crossed *= factors.passed[index];
-        break;
-      case LogKind::kShare:
-        share = factors.met[index];
-        break;
-      case LogKind::kDeposit:
-      case LogKind::kShared:
-        event.value = weights[index] * weight * crossed * static_cast<double>(std::bit_cast<float>(*++at));
-        if (kind_of(event.word) == LogKind::kShared) event.value *= share;
-        crossed = 1.0;
-        break;
-      case LogKind::kPhotonEnd:
-        return at + 1;
-    }
-    events.push_back(event);
-  }
-}
-
-/// Backwards: each event takes what came after it.
-void add_backwards(const std::vector<Event>& events, const ArrivalFactors& factors, std::vector<double>& gradient) {
-  double later = 0.0, shared = 0.0, next = 0.0;
-  for (auto event = events.rbegin(); event != events.rend(); ++event) {
-    const std::uint32_t index = event->word & kIndexMask;
-    switch (kind_of(event->word)) {
-      case LogKind::kPassed:
-        gradient[index] += factors.slope_passed[index] * later;
-        break;
-      case LogKind::kMet:
-        gradient[index] += later;
-        break;
-      case LogKind::kCrossed:
-        gradient[index] += factors.slope_passed[index] * next;
-        break;
-      case LogKind::kShare:
-        gradient[index] += shared;
-        shared = 0.0;
-        break;
-      case LogKind::kShared:
-        shared += event->value;
-        [[fallthrough]];
-      case LogKind::kDeposit:
-        later += event->value;
-        next = event->value;
-        break;
-      case LogKind::kPhotonEnd:
-        break;
-    }
-  }
-}
 
 using Scores = Eigen::Array<float, Eigen::Dynamic, 1>;
 
 /// Sums of one batch: a row of slopes for each row of bins.
 class BatchJacobian {
  public:
-  BatchJacobian(const ArrivalFactors& factors, const DirectionSet& directions, std::size_t rows)
+  BatchJacobian(const ArrivalFactors& factors, const DirectionSet& directions,
+                const std::vector<std::uint32_t>& row_of_bin, std::size_t rows)
       : factors_(factors),
         directions_(directions),
+        row_of_bin_(row_of_bin),
+        weight_(factors),
         scores_(Scores::Zero(static_cast<Eigen::Index>(directions.count))),
         sums_(Eigen::MatrixXf::Zero(static_cast<Eigen::Index>(directions.count), static_cast<Eigen::Index>(rows))) {}
 
-  void begin() {
-    scores_.setZero();
-    weight_ = crossed_ = share_ = 1.0;
-    crossings_.clear();
-  }
   void arrive(std::uint32_t cell, bool met) {
-    weight_ *= met ? factors_.met[cell] : factors_.passed[cell];
+    weight_.arrive(cell, met);
     add(cell, met ? 1.0 : factors_.slope_passed[cell], scores_);
   }
   void cross(std::uint32_t cell) {
-    crossed_ *= factors_.passed[cell];
+    weight_.cross(cell);
     crossings_.push_back(cell);
   }
   void share(std::uint32_t cell) {
-    share_ = factors_.met[cell];
+    weight_.share(cell);
     share_cell_ = cell;
   }
-  void deposit(std::uint32_t row, double amount, bool shared) {
-    const double value = weight_ * crossed_ * amount * (shared ? share_ : 1.0);
-    auto sums = sums_.col(static_cast<Eigen::Index>(row)).array();
+  void deposit(std::uint32_t bin, double amount, bool shared) {
+    const double value = weight_.of_deposit(shared) * amount;
+    auto sums = sums_.col(static_cast<Eigen::Index>(row_of_bin_[bin])).array();
     sums += static_cast<float>(value) * scores_;
     if (shared) add(share_cell_, value, sums);
     for (const std::uint32_t cell : crossings_) add(cell, value * factors_.slope_passed[cell], sums);
     crossings_.clear();
-    crossed_ = 1.0;
+  }
+  void end_photon() {
+    weight_.end_photon();
+    scores_.setZero();
+    crossings_.clear();
   }
   /// Directions x rows.
   Eigen::MatrixXf take() { return std::move(sums_); }
@@ -137,41 +136,13 @@ class BatchJacobian {
 
   const ArrivalFactors& factors_;
   const DirectionSet& directions_;
+  const std::vector<std::uint32_t>& row_of_bin_;
+  HistoryWeight weight_;
   Scores scores_;
   Eigen::MatrixXf sums_;  // directions x rows: a deposit writes to one column
-  double weight_ = 1.0, crossed_ = 1.0, share_ = 1.0;
   std::uint32_t share_cell_ = 0;
   std::vector<std::uint32_t> crossings_;
 };
-
-void add_batch(const std::vector<std::uint32_t>& words, const std::vector<std::uint32_t>& row_of_bin,
-               BatchJacobian& sums) {
-  sums.begin();
-  const std::uint32_t* const end = words.data() + words.size();
-  for (const std::uint32_t* at = words.data(); at != end; ++at) {
-    const std::uint32_t index = *at & kIndexMask;
-    const LogKind kind = kind_of(*at);
-    switch (kind) {
-      case LogKind::kPassed:
-      case LogKind::kMet:
-        sums.arrive(index, kind == LogKind::kMet);
-        break;
-      case LogKind::kCrossed:
-        sums.cross(index);
-        break;
-      case LogKind::kShare:
-        sums.share(index);
-        break;
-      case LogKind::kDeposit:
-      case LogKind::kShared:
-        sums.deposit(row_of_bin[index], static_cast<double>(std::bit_cast<float>(*++at)), kind == LogKind::kShared);
-        break;
-      case LogKind::kPhotonEnd:
-        sums.begin();
-        break;
-    }
-  }
-}
 
 }  // namespace
 
@@ -179,14 +150,9 @@ core::CellField ArrivalRecords::gradient(const DensityField& density, const std:
   core::expects(weights.size() == bins_, "a weight for each cell of the display");
   const ArrivalFactors factors(density_, density);
   const auto sums = of_batches([&](std::size_t batch) {
-    std::vector<double> own(density_.cells.values.size(), 0.0);
-    std::vector<Event> events;
-    const std::uint32_t* const end = words_[batch].data() + words_[batch].size();
-    for (const std::uint32_t* at = words_[batch].data(); at != end;) {
-      at = values_of(at, factors, weights, events);
-      add_backwards(events, factors, own);
-    }
-    return own;
+    BatchGradient own(factors, weights);
+    replay(words_[batch], own);
+    return own.take();
   });
   core::CellField result(density_.cells.grid, 0.0);
   for (std::size_t batch = 0; batch < sums.size(); ++batch) {
@@ -201,8 +167,8 @@ RecordedSlopes ArrivalRecords::jacobian(const DensityField& density, const Direc
   core::expects(row_of_bin.size() == bins_, "a row for each cell of the display");
   const ArrivalFactors factors(density_, density);
   const auto sums = of_batches([&](std::size_t batch) {
-    BatchJacobian own(factors, directions, rows);
-    add_batch(words_[batch], row_of_bin, own);
+    BatchJacobian own(factors, directions, row_of_bin, rows);
+    replay(words_[batch], own);
     const Eigen::MatrixXf slopes = own.take();
     return std::vector<double>(slopes.data(), slopes.data() + slopes.size());
   });

@@ -28,6 +28,7 @@ class alignas(128) ArrivalLog {  // apart from those of other threads
   static constexpr std::uint32_t word(LogKind kind, std::size_t index) {
     return (static_cast<std::uint32_t>(kind) << kKindShift) | static_cast<std::uint32_t>(index);
   }
+  static constexpr LogKind kind(std::uint32_t word) { return static_cast<LogKind>(word >> kKindShift); }
 
   ArrivalLog() = default;
   explicit ArrivalLog(std::size_t bytes) : most_words_(bytes / sizeof(std::uint32_t)) {}

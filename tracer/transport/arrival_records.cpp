@@ -1,20 +1,81 @@
 #include "tracer/transport/arrival_records.h"
 
-#include <bit>
 #include <utility>
 
 #include "core/base/error.h"
 #include "core/montecarlo/batches.h"
 #include "tracer/transport/arrival_factors.h"
+#include "tracer/transport/arrival_replay.h"
 
 namespace evenglow::tracer {
 namespace {
 
-constexpr std::uint32_t kIndexMask = ArrivalLog::kMostIndex;
+/// The luminance of a batch at another density; after its bins the sum and the squares of the weights at each photon's
+/// last deposit.
+class ReweightedBatch {
+ public:
+  ReweightedBatch(const ArrivalFactors& factors, std::size_t bins) : weight_(factors), bins_(bins), sums_(bins + 2) {}
 
-LogKind kind_of(std::uint32_t word) {
-  return static_cast<LogKind>(word >> ArrivalLog::kKindShift);
-}
+  void arrive(std::uint32_t cell, bool met) { weight_.arrive(cell, met); }
+  void cross(std::uint32_t cell) { weight_.cross(cell); }
+  void share(std::uint32_t cell) { weight_.share(cell); }
+  void deposit(std::uint32_t bin, double amount, bool shared) {
+    sums_[bin] += weight_.of_deposit(shared) * amount;
+    at_deposit_ = weight_.of_arrivals();
+  }
+  void end_photon() {
+    sums_[bins_] += at_deposit_;
+    sums_[bins_ + 1] += at_deposit_ * at_deposit_;
+    at_deposit_ = 1.0;
+    weight_.end_photon();
+  }
+  std::vector<double> take() { return std::move(sums_); }
+
+ private:
+  HistoryWeight weight_;
+  std::size_t bins_;
+  std::vector<double> sums_;
+  double at_deposit_ = 1.0;
+};
+
+/// d/de of the luminance of a batch at density exp(e direction): each deposit times the score of its history.
+class DerivedBatch {
+ public:
+  /// `slope_passed`, `slope_met`: d ln(share of the face bare, under microstructure)/de of each cell.
+  DerivedBatch(const ArrivalFactors& factors, const std::vector<double>& slope_passed,
+               const std::vector<double>& slope_met, std::size_t bins)
+      : weight_(factors), slope_passed_(slope_passed), slope_met_(slope_met), sums_(bins) {}
+
+  void arrive(std::uint32_t cell, bool met) {
+    weight_.arrive(cell, met);
+    score_ += met ? slope_met_[cell] : slope_passed_[cell];
+  }
+  void cross(std::uint32_t cell) {
+    weight_.cross(cell);
+    crossed_score_ += slope_passed_[cell];
+  }
+  void share(std::uint32_t cell) {
+    weight_.share(cell);
+    share_score_ = slope_met_[cell];
+  }
+  void deposit(std::uint32_t bin, double amount, bool shared) {
+    const double score = score_ + crossed_score_ + (shared ? share_score_ : 0.0);
+    sums_[bin] += weight_.of_deposit(shared) * amount * score;
+    crossed_score_ = 0.0;
+  }
+  void end_photon() {
+    weight_.end_photon();
+    score_ = crossed_score_ = share_score_ = 0.0;
+  }
+  std::vector<double> take() { return std::move(sums_); }
+
+ private:
+  HistoryWeight weight_;
+  const std::vector<double>& slope_passed_;
+  const std::vector<double>& slope_met_;
+  std::vector<double> sums_;
+  double score_ = 0.0, crossed_score_ = 0.0, share_score_ = 0.0;
+};
 
 }  // namespace
 
@@ -51,44 +112,10 @@ double ArrivalRecords::batch_scale(std::size_t batch) const {
 
 Reweighted ArrivalRecords::at(const DensityField& density) const {
   const ArrivalFactors factors(density_, density);
-  // After the bins of a batch, what its weights come to.
   auto sums = of_batches([&](std::size_t batch) {
-    std::vector<double> own(bins_ + 2, 0.0);
-    double weight = 1.0, at_deposit = 1.0, crossed = 1.0, share = 1.0;
-    const std::uint32_t* const end = words_[batch].data() + words_[batch].size();
-    for (const std::uint32_t* at = words_[batch].data(); at != end; ++at) {
-      const std::uint32_t index = *at & kIndexMask;
-      switch (kind_of(*at)) {
-        case LogKind::kPassed:
-          weight *= factors.passed[index];
-          break;
-        case LogKind::kMet:
-          weight *= factors.met[index];
-          break;
-        case LogKind::kCrossed:
-          crossed *= factors.passed[index];
-          break;
-        case LogKind::kShare:
-          share = factors.met[index];
-          break;
-        case LogKind::kDeposit:
-          own[index] += weight * crossed * static_cast<double>(std::bit_cast<float>(*++at));
-          at_deposit = weight;
-          crossed = 1.0;
-          break;
-        case LogKind::kShared:
-          own[index] += weight * share * crossed * static_cast<double>(std::bit_cast<float>(*++at));
-          at_deposit = weight;
-          crossed = 1.0;
-          break;
-        case LogKind::kPhotonEnd:
-          own[bins_] += at_deposit;
-          own[bins_ + 1] += at_deposit * at_deposit;
-          weight = at_deposit = crossed = share = 1.0;
-          break;
-      }
-    }
-    return own;
+    ReweightedBatch own(factors, bins_);
+    replay(words_[batch], own);
+    return own.take();
   });
   Reweighted result{core::Tally(bins_), photons_, 0.0};
   double weight_sum = 0.0, weight_squares = 0.0;
@@ -110,46 +137,9 @@ core::Tally ArrivalRecords::derivative(const DensityField& density, const core::
   std::vector<double> slope_passed = factors.slope_passed;
   for (std::size_t i = 0; i < slope_passed.size(); ++i) slope_passed[i] *= direction.values[i];
   auto sums = of_batches([&](std::size_t batch) {
-    std::vector<double> own(bins_, 0.0);
-    double weight = 1.0, slope = 0.0, crossed = 1.0, crossed_slope = 0.0, share = 1.0, share_slope = 0.0;
-    const auto deposit = [&](std::uint32_t bin, float amount, double factor, double own_slope) {
-      own[bin] += weight * crossed * factor * static_cast<double>(amount) * (slope + crossed_slope + own_slope);
-      crossed = 1.0;
-      crossed_slope = 0.0;
-    };
-    const std::uint32_t* const end = words_[batch].data() + words_[batch].size();
-    for (const std::uint32_t* at = words_[batch].data(); at != end; ++at) {
-      const std::uint32_t index = *at & kIndexMask;
-      switch (kind_of(*at)) {
-        case LogKind::kPassed:
-          weight *= factors.passed[index];
-          slope += slope_passed[index];
-          break;
-        case LogKind::kMet:
-          weight *= factors.met[index];
-          slope += direction.values[index];
-          break;
-        case LogKind::kCrossed:
-          crossed *= factors.passed[index];
-          crossed_slope += slope_passed[index];
-          break;
-        case LogKind::kShare:
-          share = factors.met[index];
-          share_slope = direction.values[index];
-          break;
-        case LogKind::kDeposit:
-          deposit(index, std::bit_cast<float>(*++at), 1.0, 0.0);
-          break;
-        case LogKind::kShared:
-          deposit(index, std::bit_cast<float>(*++at), share, share_slope);
-          break;
-        case LogKind::kPhotonEnd:
-          weight = crossed = 1.0;
-          slope = crossed_slope = 0.0;
-          break;
-      }
-    }
-    return own;
+    DerivedBatch own(factors, slope_passed, direction.values, bins_);
+    replay(words_[batch], own);
+    return own.take();
   });
   core::Tally result(bins_);
   for (std::size_t batch = 0; batch < words_.size(); ++batch) {

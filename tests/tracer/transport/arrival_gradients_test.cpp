@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "core/base/error.h"
+#include "tests/support/recorded_backlights.h"
 #include "tests/support/scenes.h"
 #include "tracer/transport/arrival_records.h"
 #include "tracer/transport/tracer.h"
@@ -12,18 +13,6 @@ namespace evenglow::tests {
 namespace {
 
 using namespace tracer;
-
-const std::string kDots =
-    "light_guide_plate: {length_mm: 20, width_mm: 10, thickness_mm: 0.6}, microstructure: {cells: [8, 4], density: "
-    "0.2, "
-    "kind: printed_dot, reflectance: 0.95}, sources: [{kind: led_row, count: 2, reflectance: 0.5}], reflectors: "
-    "{bottom: {}, right: {}, front: {}}, films: [{kind: diffuser}, {kind: dbef}], receivers: [{kind: luminance, cells: "
-    "[8, 4], cone_deg: 30}]";
-const std::string kLenses =
-    "light_guide_plate: {length_mm: 20, width_mm: 10, thickness_mm: 0.6}, microstructure: {cells: [8, 4], density: "
-    "0.2, "
-    "kind: microlens}, sources: [{kind: led_row, count: 2}], reflectors: {bottom: {}, right: {}}, films: [{kind: "
-    "diffuser}], receivers: [{kind: luminance, cells: [8, 4], cone_deg: 30}]";
 
 class GradientsOf : public ::testing::TestWithParam<std::string> {
  protected:
@@ -90,7 +79,7 @@ TEST_P(GradientsOf, RefuseWhatDoesNotFit) {
   EXPECT_THROW(records_->jacobian(there_, {}, std::vector<std::uint32_t>(scene_.luminance.bins(), 0), 1), core::Error);
 }
 
-INSTANTIATE_TEST_SUITE_P(Scenes, GradientsOf, ::testing::Values(kDots, kLenses));
+INSTANTIATE_TEST_SUITE_P(Scenes, GradientsOf, ::testing::Values(kRecordedDots, kRecordedLenses));
 
 /// By hand: met in cell 0, a deposit in proportion to cell 1, passed there, one through the face at cell 0. The events
 /// are those of ArrivalRecords.WeighEachOutcome.

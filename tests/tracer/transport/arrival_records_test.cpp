@@ -6,6 +6,7 @@
 
 #include "core/base/error.h"
 #include "tests/support/chi_square.h"
+#include "tests/support/recorded_backlights.h"
 #include "tests/support/scenes.h"
 #include "tests/support/z_test.h"
 
@@ -15,25 +16,11 @@ namespace {
 
 using namespace tracer;
 
-/// White dots over a white sheet, diffuser and reflective polarizer: the next-event estimate with estimates of dots
-/// that are not met, of the sheet below (through the pattern), images in walls, and photons that are counted.
-const std::string kDots =
-    "light_guide_plate: {length_mm: 20, width_mm: 10, thickness_mm: 0.6}, microstructure: {cells: [8, 4], density: "
-    "0.2, "
-    "kind: printed_dot, reflectance: 0.95}, sources: [{kind: led_row, count: 2, reflectance: 0.5}], reflectors: "
-    "{bottom: {}, right: {}, front: {}}, films: [{kind: diffuser}, {kind: dbef}], receivers: [{kind: luminance, cells: "
-    "[8, 4], cone_deg: 30}]";
 const std::string kCounted =
     "light_guide_plate: {length_mm: 20, width_mm: 10, thickness_mm: 0.6}, microstructure: {cells: [8, 4], density: "
     "0.2, "
     "kind: printed_dot, reflectance: 0.95}, sources: [{kind: led_row, count: 2}], reflectors: {bottom: {}, right: {}}, "
     "receivers: [{kind: luminance, cells: [8, 4], cone_deg: 60, estimator: counting}]";
-/// A pattern that refracts: no Lambertian scatter anywhere but in the diffuser.
-const std::string kLenses =
-    "light_guide_plate: {length_mm: 20, width_mm: 10, thickness_mm: 0.6}, microstructure: {cells: [8, 4], density: "
-    "0.2, "
-    "kind: microlens}, sources: [{kind: led_row, count: 2}], reflectors: {bottom: {}, right: {}}, films: [{kind: "
-    "diffuser}], receivers: [{kind: luminance, cells: [8, 4], cone_deg: 30}]";
 
 DensityField graded(const Scene& scene, double left, double right) {
   DensityField density = initial_density(scene.spec);
@@ -62,7 +49,7 @@ TraceResult traced(const Scene& scene, const DensityField& density, std::uint64_
 constexpr std::size_t kEnough = std::size_t{256} << 20;
 
 TEST(ArrivalRecords, AreTheTraceItselfAtItsOwnDensity) {
-  for (const auto& yaml : {kDots, kCounted, kLenses}) {
+  for (const auto& yaml : {kRecordedDots, kCounted, kRecordedLenses}) {
     const Scene scene = scene_of(yaml);
     const DensityField density = graded(scene, 0.1, 0.3);
     const TraceResult plain = traced(scene, density, 20'000, 1, 0);
@@ -119,12 +106,12 @@ TEST_P(ReweightedTo, IsAFreshTraceThereByTheGeneralPath) {
   expect_equal(kept.records->at(now).luminance, fresh.luminance);
 }
 
-INSTANTIATE_TEST_SUITE_P(Scenes, ReweightedTo, ::testing::Values(kDots, kCounted, kLenses));
+INSTANTIATE_TEST_SUITE_P(Scenes, ReweightedTo, ::testing::Values(kRecordedDots, kCounted, kRecordedLenses));
 
 /// The mean over the display against central differences of traces with common random numbers, +-10 % of a block. Eight
 /// blocks, each within 3 sigma (false alarm 0.02 in all); the third order is far below the noise.
 TEST(ArrivalRecords, DerivativeIsThatOfTraces) {
-  const Scene scene = scene_of(kDots);
+  const Scene scene = scene_of(kRecordedDots);
   constexpr std::uint64_t kPhotons = 200'000;
   const DensityField density = graded(scene, 0.1, 0.3);
   const TraceResult kept = traced(scene, density, kPhotons, 4, kEnough);
@@ -164,7 +151,7 @@ TEST(ArrivalRecords, DerivativeIsThatOfTraces) {
 
 /// No noise: the same records on both sides.
 TEST(ArrivalRecords, DerivativeIsThatOfTheirOwnLuminance) {
-  for (const auto& yaml : {kDots, kLenses}) {
+  for (const auto& yaml : {kRecordedDots, kRecordedLenses}) {
     const Scene scene = scene_of(yaml);
     const DensityField density = graded(scene, 0.1, 0.3), other = graded(scene, 0.12, 0.28);
     const TraceResult kept = traced(scene, density, 5'000, 6, kEnough);
@@ -191,7 +178,7 @@ TEST(ArrivalRecords, DerivativeIsThatOfTheirOwnLuminance) {
 }
 
 TEST(ArrivalRecords, KeepToTheirMemory) {
-  const Scene scene = scene_of(kDots);
+  const Scene scene = scene_of(kRecordedDots);
   const DensityField density = graded(scene, 0.1, 0.3);
   const TraceResult kept = traced(scene, density, 50'000, 7, 1'000'000);
   ASSERT_TRUE(kept.records);

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/base/units.h"
+#include "tests/support/plate_light.h"
 
 /// Held against `Diffuser`, with the same random numbers: the same light, but for rounding.
 namespace evenglow::tests {
@@ -14,19 +14,9 @@ using namespace tracer;
 using core::StokesVector;
 using core::Vec3;
 
-Vec3 random_direction(core::PhotonRng& rng) {
-  const double z = 2.0 * rng.uniform() - 1.0;
-  const double azimuth = 2.0 * core::kPi * rng.uniform(), r = std::sqrt(1.0 - z * z);
-  return {r * std::cos(azimuth), r * std::sin(azimuth), z};
-}
-
 StokesVector random_light(core::PhotonRng& rng) {
-  StokesVector light =
-      StokesVector::linear(1.0, 2.0 * core::kPi * rng.uniform(), core::PolarizationFrame::any(random_direction(rng)));
-  light.Q *= 0.8;
-  light.U *= 0.8;
-  light.V = 0.6;
-  return light;
+  const Vec3 k = random_direction(rng);
+  return polarized_light(k, rng);
 }
 
 void expect_same(const MeridianLight& mine, const StokesVector& theirs) {

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "core/base/units.h"
+#include "tests/support/plate_light.h"
 #include "tracer/optics/dielectric_face.h"
 
 /// Light through and at bottom and top against the general smooth face, both ways.
@@ -18,18 +19,6 @@ using core::Vec3;
 constexpr double kIndex = 1.49;
 constexpr int kLights = 20000;
 
-PlanarPlate bare_plate() {
-  PlanarPlate plate;
-  plate.box.max = Vec3(4.0, 3.0, 2.0);
-  for (std::size_t side = 0; side < kSides; ++side) {
-    plate.planes[side] = plate.box.plane(static_cast<Side>(side));
-    plate.quads[side] = static_cast<int>(side);
-  }
-  plate.refractive_index = kIndex;
-  plate.per_index = 1.0 / kIndex;
-  return plate;
-}
-
 StokesVector light_at(bool upward, bool inside, core::PhotonRng& rng) {
   // From inside within the critical angle: total reflection is the walk's own part.
   const double most = inside ? 0.999 / kIndex : 0.999;
@@ -37,16 +26,12 @@ StokesVector light_at(bool upward, bool inside, core::PhotonRng& rng) {
   const double azimuth = 2.0 * core::kPi * rng.uniform();
   const double cosine = std::sqrt(1.0 - sine * sine);
   const Vec3 k(sine * std::cos(azimuth), sine * std::sin(azimuth), upward ? cosine : -cosine);
-  StokesVector light = StokesVector::linear(1.0, 2.0 * core::kPi * rng.uniform(), core::PolarizationFrame::any(k));
-  light.Q *= 0.8;
-  light.U *= 0.8;
-  light.V = 0.6;
-  return light;
+  return polarized_light(k, rng);
 }
 
 /// Equal light whichever way it goes, and as often through: false alarm 6e-6 for each of the four cases.
 void compare(int side, bool inside) {
-  const PlanarPlate plate = bare_plate();
+  const PlanarPlate plate = bare_plate(kIndex);
   PlanarPlateState<MeridianLight> state(plate);
   const bool top = side == static_cast<int>(Side::kTop);
   const DielectricFace face(top ? kIndex : 1.0, top ? 1.0 : kIndex);

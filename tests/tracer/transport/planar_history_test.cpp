@@ -1,10 +1,10 @@
 #include "tracer/transport/planar_history.h"
 
 #include <cmath>
-#include <numeric>
 
 #include <gtest/gtest.h>
 
+#include "tests/support/photon_account.h"
 #include "tests/support/two_paths.h"
 #include "tests/support/z_test.h"
 
@@ -24,16 +24,7 @@ TEST(PlanarHistory, EveryPhotonEndsOnceAndDependsOnKeyAndIndexAlone) {
   const DensityField density = initial_density(scene.spec);
   const auto layers = PlanarScene::of(scene);
   ASSERT_TRUE(layers);
-  const PlanarHistory history(scene, *layers, density);
-  BatchSums forward(scene), backward(scene);
-  for (std::uint64_t i = 0; i < 2000; ++i) {
-    history.run({1, 2, 3}, i, forward);
-    ASSERT_EQ(std::accumulate(forward.energy.begin(), forward.energy.end(), 0.0), static_cast<double>(i + 1));
-  }
-  for (std::uint64_t i = 2000; i-- > 0;) history.run({1, 2, 3}, i, backward);
-  EXPECT_EQ(forward.energy, backward.energy);
-  EXPECT_EQ(forward.angular, backward.angular);
-  EXPECT_EQ(forward.events, backward.events);
+  expect_photons_end_once_and_alone(scene, PlanarHistory(scene, *layers, density), 2000);
 }
 
 TEST(PlanarHistory, GivesUpAPhotonThatNeverEnds) {

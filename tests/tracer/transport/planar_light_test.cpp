@@ -7,6 +7,7 @@
 
 #include "core/base/units.h"
 #include "core/math/sampling.h"
+#include "tests/support/plate_light.h"
 #include "tracer/optics/dielectric_face.h"
 
 /// Held against the general Stokes vectors and smooth face.
@@ -21,10 +22,7 @@ constexpr double kIndex = 1.49;
 
 /// Polarized light of any direction, its frame turned at random.
 StokesVector random_light(core::PhotonRng& rng) {
-  const double z = 2.0 * rng.uniform() - 1.0;
-  const double azimuth = 2.0 * core::kPi * rng.uniform();
-  const double r = std::sqrt(1.0 - z * z);
-  const Vec3 k(r * std::cos(azimuth), r * std::sin(azimuth), z);
+  const Vec3 k = random_direction(rng);
   StokesVector light = StokesVector::linear(1.0, 2.0 * core::kPi * rng.uniform(), core::PolarizationFrame::any(k));
   const double share = rng.uniform();
   light.Q *= share;

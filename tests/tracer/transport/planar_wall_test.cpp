@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "core/base/units.h"
+#include "tests/support/plate_light.h"
 #include "tracer/optics/dielectric_face.h"
 
 /// Light through and at the side walls against the general smooth face, for every wall and both ways.
@@ -17,33 +18,12 @@ using core::Vec3;
 
 constexpr double kIndex = 1.49;
 
-PlanarPlate bare_plate() {
-  PlanarPlate plate;
-  plate.box.max = Vec3(4.0, 3.0, 2.0);
-  for (std::size_t side = 0; side < kSides; ++side) {
-    plate.planes[side] = plate.box.plane(static_cast<Side>(side));
-    plate.quads[side] = static_cast<int>(side);
-  }
-  plate.refractive_index = kIndex;
-  plate.per_index = 1.0 / kIndex;
-  plate.height = 2.0;
-  plate.per_height = 0.5;
-  return plate;
-}
-
 /// Polarized light that runs outwards (or inwards) at a wall.
 StokesVector light_at(int side, bool outwards, core::PhotonRng& rng) {
-  const double z = 2.0 * rng.uniform() - 1.0;
-  const double azimuth = 2.0 * core::kPi * rng.uniform();
-  const double r = std::sqrt(1.0 - z * z);
-  Vec3 k(r * std::cos(azimuth), r * std::sin(azimuth), z);
+  Vec3 k = random_direction(rng);
   const int axis = side / 2;
   if ((k[axis] > 0.0) != ((side % 2 == 1) == outwards)) k[axis] = -k[axis];
-  StokesVector light = StokesVector::linear(1.0, 2.0 * core::kPi * rng.uniform(), core::PolarizationFrame::any(k));
-  light.Q *= 0.8;
-  light.U *= 0.8;
-  light.V = 0.6;
-  return light;
+  return polarized_light(k, rng);
 }
 
 /// What the general face makes of it, drawn until it is passed or reflected as asked for.
@@ -80,7 +60,7 @@ WallEnd at_wall(PlanarPlateState<MeridianLight>& state, int side, bool outwards,
 }
 
 TEST(PlanarWall, SameLightAsTheGeneralFace) {
-  const PlanarPlate plate = bare_plate();
+  const PlanarPlate plate = bare_plate(kIndex);
   core::PhotonRng rng({5, 0, 0}, 0);
   int passed_count = 0, kept_count = 0;
   for (int i = 0; i < 4000; ++i) {
@@ -105,7 +85,7 @@ TEST(PlanarWall, SameLightAsTheGeneralFace) {
 
 /// A lossless mirror behind the wall: all light comes back, mirrored, and its polarization is one of full degree.
 TEST(PlanarWall, MirrorBehindTheWallGivesAllLightBack) {
-  PlanarPlate plate = bare_plate();
+  PlanarPlate plate = bare_plate(kIndex);
   plate.backings[1] = {{true, 1.0, 1.0, 0, 1.0}, 0.0, 9};
   core::PhotonRng rng({6, 0, 0}, 0);
   for (int i = 0; i < 500; ++i) {

@@ -1,9 +1,8 @@
 #include "tracer/transport/wavefront_history.h"
 
-#include <numeric>
-
 #include <gtest/gtest.h>
 
+#include "tests/support/photon_account.h"
 #include "tests/support/scenes.h"
 #include "tracer/wavefront/plate_kernel.h"
 
@@ -64,11 +63,9 @@ TEST(WavefrontHistory, EveryPhotonEndsOnceAndAloneAsInABatch) {
   history.run({1, 2, 3}, core::BatchRange{0, 100, 1500}, batch);
   for (std::uint64_t photon = 0; photon < 1500; ++photon) {
     history.run({1, 2, 3}, 100 + photon, alone);
-    ASSERT_EQ(std::accumulate(alone.energy.begin(), alone.energy.end(), 0.0), static_cast<double>(photon + 1));
+    ASSERT_EQ(account(alone), static_cast<double>(photon + 1));
   }
-  EXPECT_EQ(batch.energy, alone.energy);
-  EXPECT_EQ(batch.angular, alone.angular);
-  EXPECT_EQ(batch.events, alone.events);
+  expect_same_sums(batch, alone);
 }
 
 TEST(WavefrontHistory, GivesUpAPhotonThatNeverEnds) {

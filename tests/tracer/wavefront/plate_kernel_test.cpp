@@ -22,13 +22,20 @@ using namespace tracer;
 /// Rounding of some hundred steps in single precision.
 constexpr double kSingle = 2e-5;
 
-/// A plate with all that the kernel knows.
-PlateConstants plate_with_everything() {
+/// 2 mm thick, without absorption.
+PlateConstants bare_plate(double length, double width) {
   PlateConstants plate;
-  plate.max_x = 30.0;
-  plate.max_y = 20.0;
+  plate.max_x = length;
+  plate.max_y = width;
   plate.max_z = plate.height = 2.0;
   plate.per_height = 0.5;
+  plate.per_absorption = 1e30;
+  return plate;
+}
+
+/// A plate with all that the kernel knows.
+PlateConstants plate_with_everything() {
+  PlateConstants plate = bare_plate(30.0, 20.0);
   plate.absorption = 0.002;
   plate.per_absorption = 500.0;
   plate.part = 3.0;
@@ -73,6 +80,18 @@ PlateLanes random_lanes(std::uint64_t first) {
     for (std::size_t word = 0; word < 4; ++word) lanes.random[word][i] = words[word];
   }
   return lanes;
+}
+
+MeridianLight light_of(const PlateLanes& lanes, std::size_t i) {
+  MeridianLight light;
+  light.kx = lanes.kx[i];
+  light.ky = lanes.ky[i];
+  light.kz = lanes.kz[i];
+  light.I = lanes.I[i];
+  light.Q = lanes.Q[i];
+  light.U = lanes.U[i];
+  light.V = lanes.V[i];
+  return light;
 }
 
 bool same(const PlateLanes& a, const PlateLanes& b) {
@@ -140,12 +159,7 @@ TEST(PlateKernel, WhatALaneDoesDependsOnItsOwnStateAlone) {
 /// Bare plate: place and light after one step from face to face up to a wall, and the wall's total reflection, against
 /// the scalar `MeridianLight`, one reflection after the other.
 TEST(PlateKernel, TotalReflectionsTurnTheLightAsTheScalarPathDoes) {
-  PlateConstants plate;
-  plate.max_x = 30.0;
-  plate.max_y = 20.0;
-  plate.max_z = plate.height = 2.0;
-  plate.per_height = 0.5;
-  plate.per_absorption = 1e30;
+  PlateConstants plate = bare_plate(30.0, 20.0);
   plate.smooth = {1.0, 1.0, 1.0, 1.0};
   int walls = 0;
   for (std::uint64_t first = 0; first < 800; first += kLanes) {
@@ -153,13 +167,7 @@ TEST(PlateKernel, TotalReflectionsTurnTheLightAsTheScalarPathDoes) {
     PlateLanes after = before;
     step_plate(plate, &after, 1);
     for (std::size_t i = 0; i < kLanes; ++i) {
-      MeridianLight light;
-      light.kx = before.kx[i];
-      light.ky = before.ky[i];
-      light.kz = before.kz[i];
-      light.Q = before.Q[i];
-      light.U = before.U[i];
-      light.V = before.V[i];
+      MeridianLight light = light_of(before, i);
       const PlateFresnel face(std::abs(light.kz), plate.index, 1.0);
       if (!face.total || after.exit[i] != 0) continue;
       const bool x_wall = after.x[i] == 0.0 || after.x[i] == 30.0;
@@ -190,18 +198,6 @@ TEST(PlateKernel, TotalReflectionsTurnTheLightAsTheScalarPathDoes) {
   EXPECT_GT(walls, 100);
 }
 
-MeridianLight light_of(const PlateLanes& lanes, std::size_t i) {
-  MeridianLight light;
-  light.kx = lanes.kx[i];
-  light.ky = lanes.ky[i];
-  light.kz = lanes.kz[i];
-  light.I = lanes.I[i];
-  light.Q = lanes.Q[i];
-  light.U = lanes.U[i];
-  light.V = lanes.V[i];
-  return light;
-}
-
 double distance(const MeridianLight& a, const MeridianLight& b) {
   return std::hypot(a.Q / a.I - b.Q / b.I, a.U / a.I - b.U / b.I, a.V / a.I - b.V / b.I) +
          std::hypot(a.kx - b.kx, a.ky - b.ky, a.kz - b.kz);
@@ -210,12 +206,7 @@ double distance(const MeridianLight& a, const MeridianLight& b) {
 /// Light before a wall that lets it out to a perfect mirror which touches it: either the wall reflects it, or it passes
 /// the wall twice. Both outcomes from the formulas of the scalar path.
 TEST(PlateKernel, WallsAndMirrorsBehindThemKeepTheCountOfTheLight) {
-  PlateConstants plate;
-  plate.max_x = 30.0;
-  plate.max_y = 20.0;
-  plate.max_z = plate.height = 2.0;
-  plate.per_height = 0.5;
-  plate.per_absorption = 1e30;
+  PlateConstants plate = bare_plate(30.0, 20.0);
   plate.smooth = plate.backing_known = plate.backing_reflectance = plate.backing_mirrored = {1.0, 1.0, 1.0, 1.0};
   int reflected = 0, mirrored = 0;
   for (std::uint64_t first = 0; first < 1600; first += kLanes) {
@@ -275,11 +266,7 @@ struct Xoshiro128 {
 
 /// The pattern as a perfect mirror, at each arrival: the light is turned as at an ideal mirror.
 TEST(PlateKernel, MirrorsThatArePrintedKeepTheCountOfTheLight) {
-  PlateConstants plate;
-  plate.max_x = plate.max_y = 1000.0;
-  plate.max_z = plate.height = 2.0;
-  plate.per_height = 0.5;
-  plate.per_absorption = 1e30;
+  PlateConstants plate = bare_plate(1000.0, 1000.0);
   plate.smooth = {1.0, 1.0, 1.0, 1.0};
   plate.pattern_side = 4;
   plate.dots = {1.0, 1.0, 1.0, 0.0, 0.0};
