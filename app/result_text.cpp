@@ -1,10 +1,22 @@
 #include "app/result_text.h"
 
+#include <cmath>
+#include <string>
+
 #include <fmt/core.h>
 
 #include "design/report/number_format.h"
 
 namespace evenglow::app {
+namespace {
+
+/// Spots without any light have no ratio, or one without an error.
+std::string spot_ratio(double ratio, double error) {
+  if (!std::isfinite(ratio)) return "-";
+  return std::isfinite(error) ? fmt::format("{:.3f} +- {:.3f}", ratio, error) : fmt::format("{:.3f}", ratio);
+}
+
+}  // namespace
 
 void print_result(const design::Report& report, const std::filesystem::path& directory) {
   const design::FinalJudgment& f = report.final;
@@ -20,8 +32,8 @@ void print_result(const design::Report& report, const std::filesystem::path& dir
   fmt::print("  efficiency           {:.2f} +- {:.2f} %\n", 100.0 * f.efficiency.value, 100.0 * f.efficiency.se);
   if (dark) fmt::print("  uniformity 9 / 13    - (no light in the viewing cone)\n");
   if (!dark) {
-    fmt::print("  uniformity 9 / 13    {:.3f} +- {:.3f} / {:.3f} +- {:.3f}\n", f.uniformity_9, f.uniformity_9_se,
-               f.uniformity_13, f.uniformity_13_se);
+    fmt::print("  uniformity 9 / 13    {} / {}\n", spot_ratio(f.uniformity_9, f.uniformity_9_se),
+               spot_ratio(f.uniformity_13, f.uniformity_13_se));
   }
   if (report.color) {
     fmt::print("  color                x {}, y {}, {} K\n", design::measured(report.color->mean.x),

@@ -9,7 +9,7 @@ namespace {
 
 ProgramResult check_docs(const std::vector<std::string>& words, const std::filesystem::path& folder = {}) {
   std::vector<std::string> all{EVENGLOW_SOURCE_DIR "/scripts/check_docs", "--program", EVENGLOW_PROGRAM, "--photons",
-                               "1000"};
+                               "10000"};
   all.insert(all.end(), words.begin(), words.end());
   return run_program(all, folder, 1800.0);
 }
@@ -80,7 +80,23 @@ TEST_F(DocsCheck, SeesAFileThatIsNotMade) {
 }
 
 TEST_F(DocsCheck, SeesAPageWithoutBlocks) {
-  EXPECT_EQ(of("```text\nnothing to run\n```\n").code, 1);
+  EXPECT_EQ(of("nothing to run\n").code, 1);
+}
+
+TEST_F(DocsCheck, SeesATextThatIsNotPrinted) {
+  const std::string block = "```sh\nprintf 'first\\nat 2.5 +- 0.1 cm, 3 s\\n'\n```\n\n";
+  const std::string text = "```text\nat 7 +- 1e-3 cm, 0.1 s\n```\n";
+  EXPECT_EQ(of(block + text).code, 0) << "other numbers are none of its business";
+  const ProgramResult full = of(block + text, {"--full"});
+  EXPECT_EQ(full.code, 1);
+  EXPECT_NE(full.err.find("page.md:7: the program does not print `at 7 +- 1e-3 cm, 0.1 s`"), std::string::npos)
+      << full.err;
+  EXPECT_EQ(of(block + "```text\nat 2.5 +- 0.1 cm, 9 s\n```\n", {"--full"}).code, 0) << "times are not compared";
+  EXPECT_EQ(of(block + "```text\nat 7 cm, 0.1 s\n```\n").code, 1);
+}
+
+TEST_F(DocsCheck, SeesATextThatNothingPrints) {
+  EXPECT_EQ(of("```text\nnothing\n```\n\n```sh\ntrue\n```\n").code, 1);
 }
 
 TEST_F(DocsCheck, SeesLinksThatLeadNowhere) {
