@@ -14,8 +14,9 @@ PictureKind kind_of(const std::filesystem::path& file) {
   std::array<char, 4> head{};
   std::error_code error;
   if (!std::filesystem::is_regular_file(file, error)) return PictureKind::kNone;  // never waits on a pipe
-  std::ifstream(file, std::ios::binary).read(head.data(), head.size());
-  const std::string start(head.data(), head.size());
+  std::ifstream in(file, std::ios::binary);
+  in.read(head.data(), head.size());
+  const std::string start(head.data(), static_cast<std::size_t>(in.gcount()));
   if (start == "\x89PNG") return PictureKind::kPng;
   if (start == std::string("II*\0", 4) || start == std::string("MM\0*", 4)) return PictureKind::kTiff;
   return PictureKind::kNone;
