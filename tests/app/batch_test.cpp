@@ -1,11 +1,7 @@
-#include <algorithm>
-#include <csignal>
-#include <thread>
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "tests/app/tiny_run.h"
+#include "tests/app/batch_fixture.h"
 
 /// `evenglow batch`: many runs, one summary; what fails does not stop the others, what is done is not done twice.
 namespace evenglow::tests {
@@ -15,26 +11,7 @@ using ::testing::HasSubstr;
 
 using Words = std::vector<std::string>;
 
-class Batch : public ::testing::Test {
- protected:
-  Batch() {
-    std::string text = kTinyRun;
-    text.erase(text.find("variants:"), text.find("trace:") - text.find("variants:"));
-    base_ = text;
-    write_text(folder_ / "tiny.yaml", text);
-  }
-
-  ProgramResult run(Words words) const { return evenglow(words, folder_.path()); }
-  nlohmann::ordered_json summary(const std::string& out) const { return json_of(folder_ / out / "batch.json"); }
-
-  static std::size_t done(const nlohmann::ordered_json& table) {
-    return static_cast<std::size_t>(std::count_if(table["runs"].begin(), table["runs"].end(),
-                                                  [](const auto& row) { return row["status"] == "done"; }));
-  }
-
-  TempFolder folder_;
-  std::string base_;
-};
+class Batch : public BatchFixture {};
 
 TEST_F(Batch, EachPointOfASweepHasAFolderAndARow) {
   write_text(folder_ / "tiny.yaml",
@@ -108,107 +85,6 @@ TEST_F(Batch, WithNothingRightNothingIsWritten) {
   const ProgramResult result = run({"batch", "broken.yaml", "missing.yaml", "-o", "out"});
   EXPECT_EQ(result.code, 2);
   EXPECT_FALSE(std::filesystem::exists(folder_ / "out"));
-}
-
-TEST_F(Batch, ARunThatFailsDoesNotStopTheOthers) {
-  // Nothing passes a reflector at the top: the design cannot start.
-  write_text(folder_ / "tiny.yaml",
-             base_ + "sweep: {list: [{backlight.reflectors.top: {kind: mirror}}, {trace.seed: 3}]}\n");
-  const ProgramResult result = run({"batch", "tiny.yaml", "-o", "out", "--quiet"});
-  EXPECT_EQ(result.code, 1) << result.err;
-  const auto table = summary("out");
-  EXPECT_EQ(table["runs"][0]["status"], "failed");
-  EXPECT_THAT(table["runs"][0]["message"].get<std::string>(), HasSubstr("no light reached"));
-  EXPECT_EQ(table["runs"][1]["status"], "done");
-}
-
-TEST_F(Batch, AnInterruptedBatchGoesOnAndMakesNothingTwice) {
-  write_text(folder_ / "tiny.yaml", base_ + "sweep: {grid: {trace.seed: [1, 2, 3, 4]}}\n");
-  const Words words = {"batch", "tiny.yaml", "-o", "out", "--simulate", "--photons", "4e5"};
-  Program program(words_of(EVENGLOW_PROGRAM, words), folder_.path());
-  const auto first = folder_ / "out" / "p1_seed-1" / "result.json";
-  while (program.is_running() && !std::filesystem::exists(first)) {
-    std::this_thread::sleep_for(std::chrono::milliseconds(1));
-  }
-  program.send(SIGINT);
-  EXPECT_EQ(program.wait(60).code, 130);
-  const std::size_t before = done(summary("out"));
-  EXPECT_GE(before, 1u);
-  ASSERT_LT(before, 4u);
-  const auto written = std::filesystem::last_write_time(first);
-  EXPECT_EQ(run(words).code, 2) << "a batch is not begun anew unasked";
-  Words resume = words;
-  resume.push_back("--resume");
-  const ProgramResult result = run(resume);
-  EXPECT_EQ(result.code, 0) << result.err;
-  EXPECT_THAT(result.err, HasSubstr("p1_seed-1: done before"));
-  EXPECT_EQ(std::filesystem::last_write_time(first), written);
-  EXPECT_EQ(done(summary("out")), 4u);
-}
-
-TEST_F(Batch, AKilledBatchKnowsEachRunThatIsDoneThoughItsPagesWait) {
-  write_text(folder_ / "tiny.yaml", base_ + "sweep: {grid: {trace.seed: [1, 2, 3, 4]}}\n");
-  const Words words = {"batch", "tiny.yaml", "-o", "out", "--simulate", "--photons", "4e5"};
-  const auto start = std::chrono::steady_clock::now();
-  Program program(words_of(EVENGLOW_PROGRAM, words), folder_.path());
-  const auto known = [&] {
-    return std::filesystem::exists(folder_ / "out" / "batch.json") && done(summary("out")) > 0;
-  };
-  while (program.is_running() && !known()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
-  program.send(SIGKILL);
-  program.wait(60);
-  const bool at_once = std::chrono::steady_clock::now() - start < std::chrono::seconds(2);
-  ASSERT_LT(done(summary("out")), 4u);
-  if (at_once) {
-    EXPECT_THAT(file_text(folder_ / "out" / "batch.csv"), ::testing::Not(HasSubstr(",done,")));
-  }
-  Words resume = words;
-  resume.push_back("--resume");
-  const ProgramResult result = run(resume);
-  EXPECT_EQ(result.code, 0) << result.err;
-  EXPECT_THAT(result.err, HasSubstr("p1_seed-1: done before"));
-  EXPECT_THAT(file_text(folder_ / "out" / "batch.csv"), ::testing::Not(HasSubstr(",waiting,")));
-}
-
-TEST_F(Batch, AResumedBatchMakesChangedRunsAnew) {
-  write_text(folder_ / "tiny.yaml", base_ + "sweep: {grid: {trace.seed: [1, 2]}}\n");
-  ASSERT_EQ(run({"batch", "tiny.yaml", "-o", "out", "--simulate", "--quiet"}).code, 0);
-  const ProgramResult other = run({"batch", "tiny.yaml", "-o", "out", "--simulate", "--resume", "--photons", "3e4"});
-  EXPECT_EQ(other.code, 0) << other.err;
-  EXPECT_THAT(other.err, ::testing::Not(HasSubstr("done before")));
-  EXPECT_EQ(summary("out")["runs"][0]["final"]["photons"], 30000);
-}
-
-TEST_F(Batch, ADamagedSummaryIsRefused) {
-  ASSERT_EQ(run({"batch", "tiny.yaml", "-o", "out", "--simulate", "--quiet"}).code, 0);
-  write_text(folder_ / "out" / "batch.json", "{\"format\": \"evenglow-batch/1\", \"runs\": 3}");
-  const ProgramResult result = run({"batch", "tiny.yaml", "-o", "out", "--simulate", "--resume"});
-  EXPECT_EQ(result.code, 2);
-  EXPECT_THAT(result.err, HasSubstr("out/batch.json: is no summary of a batch"));
-}
-
-TEST_F(Batch, FoldersOfAnEarlierBatchAreTold) {
-  write_text(folder_ / "tiny.yaml", base_ + "sweep: {grid: {trace.seed: [1, 2]}}\n");
-  ASSERT_EQ(run({"batch", "tiny.yaml", "-o", "out", "--simulate", "--quiet"}).code, 0);
-  EXPECT_TRUE(summary("out")["left_over"].empty());
-  write_text(folder_ / "tiny.yaml", base_ + "sweep: {grid: {trace.seed: [1, 3]}}\n");
-  for (const char* how : {"--resume", "--overwrite"}) {
-    const ProgramResult result = run({"batch", "tiny.yaml", "-o", "out", "--simulate", "--quiet", how});
-    ASSERT_EQ(result.code, 0) << result.err;
-    EXPECT_THAT(result.out, HasSubstr("\nnot of this batch: p2_seed-2 (left from an earlier one)\n")) << how;
-    EXPECT_EQ(summary("out")["left_over"].dump(), "[\"p2_seed-2\"]");
-    EXPECT_THAT(file_text(folder_ / "out/batch.html"), HasSubstr("not of this batch: p2_seed-2"));
-    EXPECT_TRUE(std::filesystem::exists(folder_ / "out/p2_seed-2/result.json"));
-  }
-}
-
-TEST_F(Batch, TracesDoNotGoOnAsDesigns) {
-  ASSERT_EQ(run({"batch", "tiny.yaml", "-o", "out", "--simulate", "--quiet"}).code, 0);
-  const ProgramResult refused = run({"batch", "tiny.yaml", "-o", "out", "--resume"});
-  EXPECT_EQ(refused.code, 2);
-  ASSERT_EQ(refused.err_lines().size(), 1u) << refused.err;
-  EXPECT_THAT(refused.err, HasSubstr("out/batch.json is of a batch of single traces, go on with --simulate"));
-  EXPECT_EQ(run({"batch", "tiny.yaml", "-o", "out", "--resume", "--simulate", "--quiet"}).code, 0);
 }
 
 TEST_F(Batch, FaultsForProgramsAreJson) {
