@@ -17,14 +17,16 @@ using core::CellField;
 // Gaussians that bound the bands, in cells; 0 is the field itself.
 constexpr double kScales[] = {0.0, 0.7, 1.4, 2.8, 5.6, 11.2};
 constexpr int kBands = static_cast<int>(std::size(kScales));
-constexpr double kLambda = 2.0;
-/// A window of the local energies, in units of a band's scale along x and y.
+/// Windows of the local energies, in units of a band's scale along x and y: of the signal, and of the noise beside it.
 struct Window {
   double x, y;
+  double noise_x, noise_y;
 };
-// Each wide enough that noise alone hardly ever passes lambda; the long ones find what follows an edge with LEDs.
-constexpr Window kSignalWindows[] = {{2.0, 2.0}, {0.7, 8.0}, {8.0, 0.7}};
-constexpr double kNoiseShare = 2.0;  // the noise is measured in windows so many times as wide
+// The long ones find what follows an edge with LEDs. The noise changes slowly from place to place, so that its windows
+// are wide: its energy is known well, and only that of the signal is left to chance.
+constexpr Window kWindows[] = {{2.0, 2.0, 8.0, 8.0}, {0.7, 8.0, 8.0, 16.0}, {8.0, 0.7, 16.0, 8.0}};
+// With one window 2 would do (theory.md). Of three the most counts: each has to stand out further.
+constexpr double kLambda = 2.5;
 constexpr double kLocalScale = 1.5;  // cells, of the local mean luminance
 constexpr double kFloor = 0.05;      // least luminance of a cell over its local mean
 
@@ -59,10 +61,9 @@ double scale_of(int band) {
 CellField significant_share(const CellField& band, const CellField& noise_band, int i, int j) {
   CellField share(band.grid, 0.0);
   const CellField signal_squares = squared(band), noise_squares = squared(noise_band);
-  for (const Window& window : kSignalWindows) {
-    const double sx = window.x * scale_of(i), sy = window.y * scale_of(j);
-    const CellField energy = blur(signal_squares, sx, sy);
-    const CellField noise = blur(noise_squares, kNoiseShare * sx, kNoiseShare * sy);
+  for (const Window& window : kWindows) {
+    const CellField energy = blur(signal_squares, window.x * scale_of(i), window.y * scale_of(j));
+    const CellField noise = blur(noise_squares, window.noise_x * scale_of(i), window.noise_y * scale_of(j));
     for (std::size_t k = 0; k < share.values.size(); ++k) {
       if (energy.values[k] <= 0.0) continue;
       share.values[k] = std::max(share.values[k], 1.0 - kLambda * noise.values[k] / energy.values[k]);
