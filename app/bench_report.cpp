@@ -24,7 +24,9 @@ std::vector<std::string> table_row(const BenchCase& bench, const std::string& up
   std::vector<std::string> row = {bench.name, updater, fmt::format("{:g} %", 100.0 * threshold),
                                   fmt::format("{}/{}", s.reached, s.trials)};
   if (s.reached == 0) {
-    row.insert(row.end(), {"-", "-", "-"});
+    row.push_back(fmt::format("> {}", s.in_vain.steps));
+    row.push_back(fmt::format("> {:.3g}", 1e-6 * static_cast<double>(s.in_vain.photons)));
+    row.push_back(fmt::format("> {:.3g}", s.in_vain.cpu_s));
     return row;
   }
   row.push_back(with_spread(s.steps, s.steps_low, s.steps_high, 1.0));
@@ -63,16 +65,17 @@ design::CurvePlot progress_plot(const BenchFacts& facts, const BenchCase& bench,
 
 std::string bench_csv(const BenchFacts& facts, const std::vector<BenchCase>& cases) {
   std::string text =
-      "case,cells,updater,seed,threshold,reached,steps,photons,cpu_s,final_rms_corrected,final_rms_corrected_se,"
-      "stop_reason\n";
+      "case,cells,updater,seed,threshold,reached,steps,photons,cpu_s,spent_steps,spent_photons,spent_cpu_s,"
+      "final_rms_corrected,final_rms_corrected_se,stop_reason\n";
   for (const BenchCase& bench : cases) {
     for (const MethodTrial& trial : bench.trials) {
       for (std::size_t i = 0; i < facts.thresholds.size(); ++i) {
         const auto& e = trial.efforts[i];
-        text += fmt::format("{},{},{},{},{:g},{},{},{},{},{},{},\"{}\"\n", bench.name, bench.cells, trial.updater,
-                            trial.seed, facts.thresholds[i], e ? 1 : 0, e ? std::to_string(e->steps) : "",
-                            e ? std::to_string(e->photons) : "", e ? design::shortest(e->cpu_s) : "",
-                            design::shortest(trial.judged.rms_corrected.value),
+        text += fmt::format("{},{},{},{},{:g},{},{},{},{},{},{},{},{},{},\"{}\"\n", bench.name, bench.cells,
+                            trial.updater, trial.seed, facts.thresholds[i], e ? 1 : 0,
+                            e ? std::to_string(e->steps) : "", e ? std::to_string(e->photons) : "",
+                            e ? design::shortest(e->cpu_s) : "", trial.spent.steps, trial.spent.photons,
+                            design::shortest(trial.spent.cpu_s), design::shortest(trial.judged.rms_corrected.value),
                             design::shortest(trial.judged.rms_corrected.se), trial.stop_reason);
       }
     }
@@ -85,13 +88,15 @@ Json summary_of(const BenchCase& bench, const BenchFacts& facts) {
   for (const std::string& updater : facts.updaters) {
     for (std::size_t i = 0; i < facts.thresholds.size(); ++i) {
       const design::EffortSummary s = design::summarize(bench.trials, updater, i);
-      rows.push_back({{"updater", updater},
-                      {"threshold", facts.thresholds[i]},
-                      {"trials", s.trials},
-                      {"reached", s.reached},
-                      {"steps", {s.steps, s.steps_low, s.steps_high}},
-                      {"photons", {s.photons, s.photons_low, s.photons_high}},
-                      {"cpu_s", {s.cpu_s, s.cpu_low, s.cpu_high}}});
+      rows.push_back(
+          {{"updater", updater},
+           {"threshold", facts.thresholds[i]},
+           {"trials", s.trials},
+           {"reached", s.reached},
+           {"steps", {s.steps, s.steps_low, s.steps_high}},
+           {"photons", {s.photons, s.photons_low, s.photons_high}},
+           {"cpu_s", {s.cpu_s, s.cpu_low, s.cpu_high}},
+           {"in_vain", {{"steps", s.in_vain.steps}, {"photons", s.in_vain.photons}, {"cpu_s", s.in_vain.cpu_s}}}});
     }
   }
   return {{"case", bench.name}, {"title", bench.title}, {"cells", bench.cells}, {"median_low_high", std::move(rows)}};
@@ -109,8 +114,7 @@ design::Study bench_study(const BenchFacts& facts, const std::vector<BenchCase>&
       "until "
       "a trace showed an RMS at or below the threshold, Monte Carlo noise taken off, with a standard error of at most "
       "half of it; that trace has random numbers that its density has never seen, and is counted. Median over the "
-      "seeds "
-      "that reached it (least-greatest).";
+      "seeds that reached it (least-greatest); where none did, `>` and the least that one of them had spent.";
   study.columns = {"case", "updater", "RMS", "reached", "steps", "photons (millions)", "CPU s"};
   for (const BenchCase& bench : cases) {
     for (std::size_t i = 0; i < facts.thresholds.size(); ++i) {

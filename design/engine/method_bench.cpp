@@ -54,6 +54,7 @@ std::optional<MethodTrial> run_trial(const ForwardModel& model, const DesignSpec
       const bool shown = record.rms_corrected.value <= thresholds[i] && record.rms_corrected.se <= 0.5 * thresholds[i];
       if (shown && !trial.efforts[i]) trial.efforts[i] = Effort{record.step, photons, trial.cpu_s.back()};
     }
+    trial.spent = {record.step, photons, trial.cpu_s.back()};
   };
   bool spent = false;
   const ForwardModel bounded = within_budget(model, begin + limits.cpu_s, limits.cpu_s > 0.0, spent);
@@ -77,7 +78,10 @@ EffortSummary summarize(const std::vector<MethodTrial>& trials, const std::strin
     if (trial.updater != updater) continue;
     ++summary.trials;
     const auto& effort = trial.efforts[threshold];
-    if (!effort) continue;
+    if (!effort) {
+      if (summary.in_vain.cpu_s == 0.0 || trial.spent.cpu_s < summary.in_vain.cpu_s) summary.in_vain = trial.spent;
+      continue;
+    }
     ++summary.reached;
     steps.push_back(effort->steps);
     photons.push_back(static_cast<double>(effort->photons));

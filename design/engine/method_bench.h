@@ -24,6 +24,7 @@ struct MethodTrial {
   std::vector<std::optional<Effort>> efforts;  ///< for each threshold
   std::vector<StepRecord> steps;
   std::vector<double> cpu_s;  ///< up to the end of each step
+  Effort spent;               ///< in all, the judging trace apart
   std::string stop_reason;
   FinalJudgment judged;  ///< of the best density
 };
@@ -46,6 +47,7 @@ struct EffortSummary {
   double steps = 0.0, steps_low = 0.0, steps_high = 0.0;  ///< median, least, greatest
   double photons = 0.0, photons_low = 0.0, photons_high = 0.0;
   double cpu_s = 0.0, cpu_low = 0.0, cpu_high = 0.0;
+  Effort in_vain;  ///< the least that a trial which did not reach it had spent; 0: all reached it
 };
 EffortSummary summarize(const std::vector<MethodTrial>& trials, const std::string& updater, std::size_t threshold);
 

@@ -62,6 +62,8 @@ TEST(MethodBench, EndsAtItsBudget) {
   const auto trial = run_trial(noisy, spec, limits, {core::CellField(backlight.grid, 0.1)}, {1e-5});
   ASSERT_TRUE(trial);
   EXPECT_EQ(trial->stop_reason, "budget: 0.01 CPU seconds were spent");
+  EXPECT_EQ(trial->spent.cpu_s, trial->cpu_s.back());
+  EXPECT_EQ(trial->spent.steps + 1, static_cast<int>(trial->steps.size()));
   EXPECT_EQ(trial->judged.photons, 16000000U);
   EXPECT_LT(trial->judged.rms_corrected.se, 1e-3);
   limits.cpu_s = 0.0;
@@ -77,12 +79,16 @@ TEST(MethodBench, MediansOfThoseThatReachedIt) {
     trials[i].efforts = {Effort{static_cast<int>(i) + 1, 100 * (i + 1), 1.0 * static_cast<double>(i)}};
   }
   trials[1].efforts[0].reset();
+  trials[1].spent = {9, 900, 90.0};
   const EffortSummary s = summarize(trials, "auto", 0);
   EXPECT_EQ(s.trials, 3);
   EXPECT_EQ(s.reached, 2);
   EXPECT_EQ(s.steps, 2.0);
   EXPECT_EQ(s.photons_low, 100.0);
   EXPECT_EQ(s.photons_high, 300.0);
+  EXPECT_EQ(s.in_vain.steps, 9);
+  EXPECT_EQ(s.in_vain.cpu_s, 90.0);
+  EXPECT_EQ(summarize(trials, "other", 0).in_vain.cpu_s, 0.0);
 }
 
 }  // namespace
