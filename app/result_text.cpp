@@ -22,16 +22,20 @@ void print_result(const design::Report& report, const std::filesystem::path& dir
   const design::FinalJudgment& f = report.final;
   fmt::print("{}{}\n", report.title, report.variant.empty() ? "" : " (" + report.variant + ")");
   fmt::print("  stop                 {}\n", report.stop_reason);
-  const bool dark = f.luminance_mean.value <= 0.0;
-  if (dark) fmt::print("  RMS non-uniformity   - (no light in the viewing cone)\n");
-  if (!dark) {
+  const std::string why_none = f.luminance_mean.value <= 0.0         ? "no light in the viewing cone"
+                               : report.luminance.values.size() == 1 ? "at least two cells are needed"
+                                                                     : "";
+  if (!why_none.empty()) {
+    fmt::print("  RMS non-uniformity   - ({})\n", why_none);
+  } else {
     fmt::print("  RMS non-uniformity   {:.2f} +- {:.2f} % (noise taken off; {:.2f} % with it)\n",
                100.0 * f.rms_corrected.value, 100.0 * f.rms_corrected.se, 100.0 * f.rms);
   }
   fmt::print("  mean luminance       {:.1f} +- {:.1f} cd/m2\n", f.luminance_mean.value, f.luminance_mean.se);
   fmt::print("  efficiency           {:.2f} +- {:.2f} %\n", 100.0 * f.efficiency.value, 100.0 * f.efficiency.se);
-  if (dark) fmt::print("  uniformity 9 / 13    - (no light in the viewing cone)\n");
-  if (!dark) {
+  if (!why_none.empty()) {
+    fmt::print("  uniformity 9 / 13    - ({})\n", why_none);
+  } else {
     fmt::print("  uniformity 9 / 13    {} / {}\n", spot_ratio(f.uniformity_9, f.uniformity_9_se),
                spot_ratio(f.uniformity_13, f.uniformity_13_se));
   }

@@ -7,6 +7,8 @@ namespace evenglow::design {
 namespace {
 
 constexpr double kShows = 0.02;
+/// Less than this of what is in front of LEDs lies apart from what is between them: the cells are too coarse.
+constexpr double kLeastApart = 0.3;
 constexpr double kWindowSlack = 1e-9;  // mm
 
 /// Cells of a line along the edge, and how the lines lie.
@@ -75,6 +77,13 @@ Weights weights_of(const Lines& lines, std::vector<LedWindow> windows) {
   return weights;
 }
 
+/// 1: no cell is both in front of an LED and between two; 0: all cells are so alike.
+double apart(const Weights& weights) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < weights.front.size(); ++i) sum += std::abs(weights.front[i] - weights.between[i]);
+  return 0.5 * sum;
+}
+
 std::vector<double> line_sums(const Lines& lines, int line, const std::vector<double>& weights,
                               const core::Tally& luminance, double unit) {
   std::vector<double> sums;
@@ -114,7 +123,9 @@ std::optional<HotSpots> hot_spots(const LedEdge& edge, const core::CellGrid& cel
                                   double unit) {
   const Lines lines(cells, edge.along_y);
   const Weights weights = weights_of(lines, edge.windows);
-  if (weights.gaps == 0 || luminance.batches() == 0) return std::nullopt;
+  if (weights.gaps == 0 || apart(weights) < kLeastApart || luminance.batches() == 0) return std::nullopt;
+  const std::vector<double> ones(luminance.bins(), 1.0);
+  if (luminance.weighted_total(ones).value <= 0.0) return std::nullopt;
   HotSpots result{edge.source, edge.name, weights.gaps, weights.led_width, weights.gap_width, {}, {}};
   for (int line = 0; line < lines.count; ++line) {
     const std::vector<double> front = line_sums(lines, line, weights.front, luminance, unit);

@@ -30,7 +30,8 @@ struct LedEdge {
 /// the cells' luminance; `unit`: cd/m2 for 1 of the tally. Each gap between neighboring LEDs is held against the mean
 /// of the two LEDs beside it, so that a slope along the edge drops out; between them counts the middle of the gap, as
 /// wide as an LED at most. A cell counts by the share of it that lies there. The error of the ratio is that of the
-/// ratio estimator. None with less than two LEDs in front of the display, or with LEDs that leave no gaps.
+/// ratio estimator. None with less than two LEDs in front of the display, with LEDs that leave no gaps, with cells too
+/// coarse to tell LEDs and gaps apart, or without light.
 ///
 /// The LEDs do not show where |ratio - 1| is less than 2 % plus two standard errors.
 std::optional<HotSpots> hot_spots(const LedEdge& edge, const core::CellGrid& cells, const core::Tally& luminance,

@@ -52,7 +52,7 @@ function drawChart(chart, figures, inks, ix, iy) {
   label(chart, (plotBox.left + plotBox.right) / 2, plotBox.bottom + 34, (along ? 'x' : 'y') + ' (mm)', 'middle');
   label(chart, 0, 14, map.quantity + (map.unit ? ' (' + map.unit + ')' : ''), 'start');
   figures.forEach(function (figure, k) {
-    var own = mapOf(figure), upper = [], lower = [], line = '';
+    var own = mapOf(figure), upper = [], lower = [], line = '', alone = own.v[along ? iy * map.nx : ix];
     for (var i = 0; i < count; ++i) {
       var cell = along ? iy * map.nx + i : i * map.nx + ix, value = own.v[cell], error = own.s[cell];
       if (value === null) { line += ' '; continue; }
@@ -63,6 +63,7 @@ function drawChart(chart, figures, inks, ix, iy) {
       }
     }
     if (upper.length > 1) { svgNode('polygon', {class: 'band ' + inks[k], points: upper.concat(lower).join(' ')}, chart.body); }
+    if (count === 1 && alone !== null) { line = 'M' + plotBox.left + ',' + py(alone).toFixed(1) + 'H' + plotBox.right; }
     svgNode('path', {class: 'st ' + inks[k], 'stroke-width': 1.7, d: line}, chart.body);
   });
   chart.guide.setAttribute('x1', px(at(along ? ix : iy)));

@@ -44,6 +44,10 @@ std::string convergence_part(const Reports& reports, PageData& data) {
 }
 
 std::string evenness_part(const Reports& reports, PageData& data) {
+  const bool spread = std::any_of(reports.begin(), reports.end(), [](const Report* report) {
+    return report->luminance.values.size() > 1 && report->final.luminance_mean.value > 0.0;
+  });
+  if (!spread) return {};  // one cell, or none with light
   const std::string histogram = curve_figure(luminance_histogram(reports), "of the active area", data);
   return heading("Distribution of the luminance") + figure_group("two", histogram, "") + spot_table(reports);
 }

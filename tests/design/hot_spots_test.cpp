@@ -120,5 +120,20 @@ TEST(HotSpots, PullsOfTheRatioHaveUnitWidth) {
   }
 }
 
+/// Cells of 8 mm hold an LED and a gap alike: nothing can be said of them.
+TEST(HotSpots, NoneWhereCellsAreTooCoarse) {
+  std::mt19937_64 random(1);
+  const core::CellGrid coarse = core::CellGrid::over(10, 2, 0.0, 0.0, 10.0, 16.0);
+  const LedEdge edge{0, "left", true, 0.0, kLeds};
+  EXPECT_FALSE(hot_spots(edge, coarse, tally_of(coarse, true, false, 0.0, 0.0, 4, random), 1.0));
+  EXPECT_TRUE(hot_spots(edge, kCells, tally_of(kCells, true, false, 0.0, 0.0, 4, random), 1.0));
+}
+
+TEST(HotSpots, NoneWithoutLight) {
+  core::Tally dark(kCells.size());
+  for (int b = 0; b < 4; ++b) dark.add_batch(std::vector<double>(kCells.size(), 0.0));
+  EXPECT_FALSE(hot_spots({0, "left", true, 0.0, kLeds}, kCells, dark, 1.0));
+}
+
 }  // namespace
 }  // namespace evenglow::design
