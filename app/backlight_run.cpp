@@ -12,6 +12,7 @@
 #include "design/engine/checkpoint.h"
 #include "design/engine/design_start.h"
 #include "design/engine/state_file.h"
+#include "design/engine/stop_rule.h"
 #include "design/engine/traced_model.h"
 #include "tracer/scene/density_field.h"
 
@@ -86,7 +87,6 @@ std::optional<Report> run_design_job(Run run, const RunContext& context) {
   context.progress.begin(label(run, "final trace"));
   const auto observation = model(progress.best_density, run.trace.photons, design::kJudgingStep);
   if (!observation) return std::nullopt;
-  report.stop_reason = progress.stop_reason;
   report.density = progress.best_density.cells;
   report.steps = progress.steps;
   report.start_luminance = progress.start_luminance;
@@ -94,6 +94,8 @@ std::optional<Report> run_design_job(Run run, const RunContext& context) {
   report.notes.insert(report.notes.end(), progress.notes.begin(), progress.notes.end());
   report.notes.insert(report.notes.end(), progress.limit_notes.begin(), progress.limit_notes.end());
   take_observation(scene, run.design, *observation, report);
+  report.stop_reason = confirmed_reason(progress.stop_reason, report.final, run.design.stop_rms);
+  if (report.stop_reason != progress.stop_reason) context.progress.line(label(run, report.stop_reason));
   finish_timing(watch, report);
   return report;
 }

@@ -7,46 +7,24 @@
 #include <fmt/core.h>
 
 #include "core/montecarlo/batches.h"
+#include "design/engine/kept_records.h"
 #include "design/engine/level_search.h"
 #include "design/engine/photon_plan.h"
+#include "design/engine/stop_rule.h"
 #include "design/problem/density_limits.h"
-#include "design/problem/merit.h"
 #include "design/problem/target.h"
-#include "tracer/transport/arrival_records.h"
 
 namespace evenglow::design {
 namespace {
 
 constexpr double kSettledLevel = 0.05;
-constexpr double kNoneYet = 1e9;       // worse than any RMS
 constexpr double kRoughlyRight = 0.3;  // RMS below which the level is chosen
-constexpr double kStallGain = 0.05;
-constexpr double kLevelStep = 1.25;                       // largest factor of a correction of the level
-constexpr const char* kRecordedSteps = "recorded_steps";  // in the memory: step, photons and density of each
-constexpr std::size_t kMostRecordBytes = std::size_t{512} << 20;
-constexpr double kLeastSlope = 0.05;  // below it the efficiency does not hear the level
-
-bool reached(const StepRecord& record, const DesignSpec& spec) {
-  return record.rms_corrected.value <= spec.stop_rms + record.rms_corrected.se &&
-         record.rms_corrected.se <= 0.5 * spec.stop_rms;
-}
+constexpr double kLevelStep = 1.25;    // largest factor of a correction of the level
+constexpr double kLeastSlope = 0.05;   // below it the efficiency does not hear the level
 
 bool level_rests(const DesignProgress& progress, const DesignSpec& spec, const Proposal& proposal) {
   if (spec.level) return true;
   return !progress.level_note.empty() && std::abs(std::log(proposal.level_change)) < kSettledLevel;
-}
-
-bool stalled(const std::vector<StepRecord>& steps, const DesignLimits& limits, int patience) {
-  if (static_cast<int>(steps.size()) < patience + 2) return false;
-  const auto recent = steps.end() - patience;
-  // More photons would help where noise may hide what is left.
-  const StepRecord& first = *(recent - 1);
-  if (first.photons < limits.largest_photons && first.rms_corrected.value < first.noise) return false;
-  const auto less = [](const StepRecord& a, const StepRecord& b) {
-    return a.rms_corrected.value < b.rms_corrected.value;
-  };
-  const double before = std::min_element(steps.begin(), recent, less)->rms_corrected.value;
-  return std::min_element(recent, steps.end(), less)->rms_corrected.value > (1.0 - kStallGain) * before;
 }
 
 /// One design: the loop of `run_design`, a step at a time.
@@ -82,7 +60,9 @@ class Loop {
     }
     if (!proposal.note.empty()) progress_.notes.push_back(fmt::format("Step {}: {}", record.step, proposal.note));
     tell_limits(proposal);
-    progress_.stop_reason = stop_reason(proposal);
+    progress_.stop_reason = stop_reason(
+        {progress_.steps, progress_.best_rms, updater_->patience(spec_), level_rests(progress_, spec_, proposal)},
+        spec_, limits_);
     progress_.photons =
         next_photons(progress_.steps, foresight_of(proposal), progress_.start_luminance.values.size(), spec_, limits_);
     progress_.density = std::move(proposal.density);
@@ -94,13 +74,13 @@ class Loop {
   std::optional<DesignState> observe() {
     const int number = static_cast<int>(progress_.steps.size());
     const auto step = static_cast<std::uint32_t>(number);
-    if (records_wanted() && !restore_records(step)) return std::nullopt;
+    if (records_wanted() && !records_.restore(model_, progress_.density, step, progress_.memory)) return std::nullopt;
     auto observation = records_wanted() ? model_.recording(progress_.density, progress_.photons, step)
                                         : model_(progress_.density, progress_.photons, step);
     if (!observation) return std::nullopt;
-    keep_records(*observation, step);
+    records_.keep(progress_.density, *observation, step, progress_.memory);
     DesignState state{progress_.density, std::move(*observation)};
-    state.recorded = recorded_;
+    state.recorded = records_.traces();
     state.record = make_step_record(number, state.density, state.observation, spec_);
     if (number == 0) progress_.start_luminance = state.observation.map.luminance;
     Target(spec_, state.observation.map.luminance.grid).flatten(state.observation);
@@ -108,46 +88,6 @@ class Loop {
   }
 
   bool records_wanted() const { return model_.recording && updater_->wants_records(); }
-
-  /// The newest, and of the earlier ones those that fit.
-  void keep_records(const Observation& observation, std::uint32_t step) {
-    if (!observation.records) return;
-    recorded_.push_back({observation.records, observation.luminance, observation.photons, step});
-    const auto bytes = [&] {
-      std::size_t sum = 0;
-      for (const RecordedTrace& trace : recorded_) sum += trace.records->bytes();
-      return sum;
-    };
-    while (recorded_.size() > 1 && bytes() > kMostRecordBytes) recorded_.erase(recorded_.begin());
-    auto& told = progress_.memory[kRecordedSteps];
-    told.clear();
-    for (const RecordedTrace& trace : recorded_) {
-      told.push_back(trace.step);
-      told.push_back(static_cast<double>(trace.photons));
-      const auto& density = trace.records->density().cells.values;
-      told.insert(told.end(), density.begin(), density.end());
-    }
-  }
-
-  /// Records are not in the checkpoint, but what they were traced with is: after an interruption they are traced again,
-  /// to the same bits. False: interrupted.
-  bool restore_records(std::uint32_t step) {
-    const auto told = progress_.memory.find(kRecordedSteps);
-    if (!recorded_.empty() || told == progress_.memory.end()) return true;
-    const std::vector<double> list = told->second;
-    tracer::DensityField density = progress_.density;
-    const std::size_t cells = density.cells.values.size();
-    for (std::size_t at = 0; at + 2 + cells <= list.size(); at += 2 + cells) {
-      const auto number = static_cast<std::uint32_t>(list[at]);
-      if (number >= step) break;
-      const auto values = list.begin() + static_cast<std::ptrdiff_t>(at) + 2;
-      std::copy(values, values + static_cast<std::ptrdiff_t>(cells), density.cells.values.begin());
-      auto again = model_.recording(density, static_cast<std::uint64_t>(list[at + 1]), number);
-      if (!again) return false;
-      keep_records(*again, number);
-    }
-    return true;
-  }
 
   std::optional<Foresight> foresight_of(const Proposal& proposal) const {
     if (!proposal.noise_left) return std::nullopt;
@@ -229,73 +169,15 @@ class Loop {
     scale_level(std::clamp(std::exp(lacking / progress_.level_slope), 1.0 / kLevelStep, kLevelStep), proposal);
   }
 
-  std::string stop_reason(const Proposal& proposal) const {
-    const StepRecord& record = progress_.steps.back();
-    const int patience = updater_->patience(spec_);
-    if (reached(record, spec_) && level_rests(progress_, spec_, proposal)) {
-      return fmt::format("reached: the noise-corrected RMS is {:.2f} +- {:.2f} % (wanted {:.2f} %)",
-                         100.0 * record.rms_corrected.value, 100.0 * record.rms_corrected.se, 100.0 * spec_.stop_rms);
-    }
-    if (stalled(progress_.steps, limits_, patience)) {
-      if (progress_.best_rms >= kNoneYet)
-        return "stalled: the noise of the traces hides the RMS (more photons would tell)";
-      return fmt::format("stalled: no better than {:.2f} % in the last {} steps", 100.0 * progress_.best_rms, patience);
-    }
-    if (record.step >= spec_.max_steps) return fmt::format("max_steps: {} steps were made", spec_.max_steps);
-    return {};
-  }
-
   const ForwardModel& model_;
   const DesignSpec& spec_;
   const DesignLimits& limits_;
   std::unique_ptr<const Updater> updater_;
   DesignProgress progress_;
-  std::vector<RecordedTrace> recorded_;
+  KeptRecords records_;
 };
 
 }  // namespace
-
-StepRecord make_step_record(int step, const tracer::DensityField& density, const Observation& observation,
-                            const DesignSpec& spec) {
-  const Evenness even = evenness(Target(spec, observation.map.luminance.grid).judged(observation.luminance));
-  const core::Estimate mean = mean_of_cells(observation.luminance);
-  StepRecord record;
-  record.step = step;
-  record.photons = observation.photons;
-  record.rms = even.rms;
-  record.rms_corrected = even.rms_corrected;
-  record.noise =
-      std::sqrt(std::max(0.0, even.rms * even.rms - even.rms_corrected.value * std::abs(even.rms_corrected.value)));
-  record.efficiency = observation.efficiency;
-  record.mean_density = density.cells.mean();
-  record.luminance_mean = mean.value * observation.luminance_unit;
-  record.cpu_s = observation.cpu_s;
-  record.wall_s = observation.wall_s;
-  return record;
-}
-
-FinalJudgment make_judgment(const Observation& observation, const DesignSpec& spec) {
-  const Evenness even = evenness(Target(spec, observation.map.luminance.grid).judged(observation.luminance));
-  const core::Estimate mean = mean_of_cells(observation.luminance);
-  FinalJudgment judgment;
-  judgment.photons = observation.photons;
-  judgment.rms = even.rms;
-  judgment.rms_corrected = even.rms_corrected;
-  judgment.rms_low = even.low;
-  judgment.rms_high = even.high;
-  judgment.uniformity_9 = uniformity_9(observation.map.luminance);
-  judgment.uniformity_13 = uniformity_13(observation.map.luminance);
-  judgment.luminance_mean = {mean.value * observation.luminance_unit, mean.se * observation.luminance_unit};
-  judgment.luminance_center = center_luminance(observation.map.luminance);
-  if (mean.value > 0.0) {
-    const SpotErrors errors = spot_errors(observation.luminance, observation.map.luminance.grid);
-    judgment.uniformity_9_se = errors.uniformity_9;
-    judgment.uniformity_13_se = errors.uniformity_13;
-    judgment.luminance_center_se = errors.center * observation.luminance_unit;
-  }
-  judgment.efficiency = observation.efficiency;
-  return judgment;
-}
 
 DesignProgress start_design(tracer::DensityField density, const DesignSpec& spec, const DesignLimits& limits) {
   DesignProgress progress;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "design/engine/photon_plan.h"
+#include "design/engine/step_judgment.h"
 #include "design/problem/design_spec.h"
 #include "design/problem/design_state.h"
 #include "design/problem/judgment.h"
@@ -39,23 +40,10 @@ DesignProgress start_design(tracer::DensityField density, const DesignSpec& spec
 /// Observe, judge, stop or propose. Returns the progress with a stop reason, or without one if the model was
 /// interrupted; it can then be handed in again, and goes on to the same bits.
 ///
-/// One stopping rule for all updaters. The design ends when the noise-corrected RMS of luminance over target is below
-/// `stop_rms` plus its standard error, that error is at most half of `stop_rms`, and the level rests; when the steps of
-/// the updater's patience (4; more for searches) brought no gain of 5 % at the largest number of photons, or with
-/// less noise in a cell than RMS; or after
-/// `max_steps`. Once the shape is roughly right (noise-corrected RMS below 30 %, seen, or foreseen by the updater of
-/// its next density) the level is chosen (level_search.h), unless the spec fixes it; histories then tell how the shape
-/// changes with it.
-/// The photons of the next step: photon_plan.h.
+/// It ends where the rule of stop_rule.h says so. Once the shape is roughly right (noise-corrected RMS below 30 %,
+/// seen, or foreseen by the updater of its next density) the level is chosen (level_search.h), unless the spec fixes
+/// it; histories then tell how the shape changes with it. The photons of the next step: photon_plan.h.
 DesignProgress run_design(const ForwardModel& model, const DesignSpec& spec, const DesignLimits& limits,
                           DesignProgress progress, const StepObserver& observer);
-
-/// The row of the convergence table for an observation.
-StepRecord make_step_record(int step, const tracer::DensityField& density, const Observation& observation,
-                            const DesignSpec& spec);
-
-/// The judgment from a trace with fresh random numbers. Its RMS is that of luminance over target, over the cells that
-/// count.
-FinalJudgment make_judgment(const Observation& observation, const DesignSpec& spec);
 
 }  // namespace evenglow::design

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "design/engine/stop_rule.h"
 #include "design/engine/traced_model.h"
 #include "design/problem/density_limits.h"
 
@@ -60,7 +61,7 @@ std::optional<FrontPoint> design_point(const FrontJob& job, int number, double l
   point.judged = make_judgment(*judging, spec);
   point.density = progress->best_density.cells;
   point.luminance = judging->map.luminance;
-  point.stop_reason = progress->stop_reason;
+  point.stop_reason = confirmed_reason(progress->stop_reason, point.judged, spec.stop_rms);
   point.steps = static_cast<int>(progress->steps.size());
   point.held_low = progress->steps.back().held_low;
   point.held_high = progress->steps.back().held_high;

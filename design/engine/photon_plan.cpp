@@ -7,6 +7,7 @@ namespace evenglow::design {
 namespace {
 
 constexpr double kWantedError = 0.15;  // of the RMS, over the RMS to reach
+constexpr double kShownError = 0.1;    // the same, of a trace that has only to show
 constexpr double kWantedNoise = 0.6;   // in a density, over the RMS to reach
 constexpr double kAgain = 2.0;         // growth after a trace that showed too little
 constexpr double kLeastShown = 0.25;   // of the photons before, of a trace that has only to show
@@ -33,7 +34,7 @@ double photons_to_solve(const std::vector<StepRecord>& steps, const Foresight& f
   // The squared RMS of n cells has the error noise^2 sqrt(2/n) where noise is all there is; the RMS that over 2 RMS.
   const double noise = steps.back().noise;
   const double error = std::sqrt(2.0 / static_cast<double>(cells)) * noise * noise / (2.0 * wanted);
-  return most * std::clamp(error / (kWantedError * wanted), kLeastShown, 1.0);
+  return most * std::clamp(error / (kShownError * wanted), kLeastShown, 1.0);
 }
 
 }  // namespace

@@ -40,7 +40,8 @@ struct RecordedTrace {
   std::shared_ptr<const tracer::ArrivalRecords> records;
   core::Tally luminance;  ///< of all its photons, as traced
   std::uint64_t photons = 0;
-  std::uint32_t step = 0;  ///< whose random numbers it had
+  std::uint32_t step = 0;     ///< whose random numbers it had
+  core::CellField density{};  ///< that was traced, on the cells of the design
 };
 
 /// One step of a design: a density and what it showed.

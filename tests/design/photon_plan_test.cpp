@@ -39,8 +39,8 @@ TEST(PhotonPlan, GrowsAsTheNoiseInTheDensityAsks) {
 }
 
 TEST(PhotonPlan, ShowsWithAsManyAsItTakes) {
-  // Error at 1 %: 0.02 noise^2 / 0.02 = noise^2; wanted 0.0015.
-  EXPECT_NEAR(static_cast<double>(next({step(100'000, 0.02, 0.001, std::sqrt(0.00075))}, 0.005)), 50'000.0, 1.0);
+  // Error at 1 %: 0.02 noise^2 / 0.02 = noise^2; wanted 0.001.
+  EXPECT_NEAR(static_cast<double>(next({step(100'000, 0.02, 0.001, std::sqrt(0.0005))}, 0.005)), 50'000.0, 1.0);
   EXPECT_EQ(next({step(100'000, 0.02, 0.001, 0.001)}, 0.005), 25'000U) << "a quarter at least";
   EXPECT_EQ(next({step(100'000, 0.02, 0.001, 0.1)}, 0.005), 100'000U) << "never more than before";
   EXPECT_EQ(next({step(100'000, 0.02, 0.001, 0.001), step(25'000, 0.02, 0.001, 0.002)}, 0.005), 200'000U)

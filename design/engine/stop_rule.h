@@ -1,0 +1,40 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "design/engine/photon_plan.h"
+#include "design/problem/design_spec.h"
+#include "design/problem/judgment.h"
+
+/// When a design ends: one rule for all updaters.
+namespace evenglow::design {
+
+inline constexpr double kNoneYet = 1e9;  ///< best RMS so far where there is none: worse than any
+
+/// Does the step show that the bound is kept? Noise-corrected RMS + its standard error <= `stop_rms`, and that error at
+/// most half of `stop_rms`. The error is normal and the trace has not been seen by its density, so that a density whose
+/// RMS is at the bound passes with a chance of 16 %, one that lies a standard error above it with 2.3 %.
+bool reached(const StepRecord& record, const DesignSpec& spec);
+
+/// What the rule looks at beside the spec.
+struct DesignCourse {
+  const std::vector<StepRecord>& steps;
+  double best_rms;   ///< so far, noise-corrected; kNoneYet: none that can be trusted
+  int patience;      ///< of the updater
+  bool level_rests;  ///< the mean density is the wanted one
+};
+
+/// One sentence, or nothing as long as the design goes on. It ends, in this order,
+///
+/// 1. reached, and the level rests;
+/// 2. stalled: the steps of the patience brought no gain of 5 %, at the largest number of photons or with less noise in
+///    a cell than RMS;
+/// 3. after `max_steps`.
+std::string stop_reason(const DesignCourse& course, const DesignSpec& spec, const DesignLimits& limits);
+
+/// The reason after the independent trace has judged the design. Of a bound that was reached it tells when that trace
+/// shows an RMS above it: by more than two standard errors (the bound is then missed), or within them.
+std::string confirmed_reason(const std::string& reason, const FinalJudgment& judged, double bound);
+
+}  // namespace evenglow::design
