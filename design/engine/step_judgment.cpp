@@ -28,20 +28,22 @@ StepRecord make_step_record(int step, const tracer::DensityField& density, const
 }
 
 FinalJudgment make_judgment(const Observation& observation, const DesignSpec& spec) {
-  const Evenness even = evenness(Target(spec, observation.map.luminance.grid).judged(observation.luminance));
+  const Target target(spec, observation.map.luminance.grid);
+  const Evenness even = evenness(target.judged(observation.luminance));
   const core::Estimate mean = mean_of_cells(observation.luminance);
+  const core::CellField counted = counted_only(observation.map.luminance, target.relative());
   FinalJudgment judgment;
   judgment.photons = observation.photons;
   judgment.rms = even.rms;
   judgment.rms_corrected = even.rms_corrected;
   judgment.rms_low = even.low;
   judgment.rms_high = even.high;
-  judgment.uniformity_9 = uniformity_9(observation.map.luminance);
-  judgment.uniformity_13 = uniformity_13(observation.map.luminance);
+  judgment.uniformity_9 = uniformity_9(counted);
+  judgment.uniformity_13 = uniformity_13(counted);
   judgment.luminance_mean = {mean.value * observation.luminance_unit, mean.se * observation.luminance_unit};
-  judgment.luminance_center = center_luminance(observation.map.luminance);
+  judgment.luminance_center = center_luminance(counted);
   if (mean.value > 0.0) {
-    const SpotErrors errors = spot_errors(observation.luminance, observation.map.luminance.grid);
+    const SpotErrors errors = spot_errors(observation.luminance, target.relative());
     judgment.uniformity_9_se = errors.uniformity_9;
     judgment.uniformity_13_se = errors.uniformity_13;
     judgment.luminance_center_se = errors.center * observation.luminance_unit;

@@ -64,14 +64,19 @@ double spot(const CellField& field, Point at) {
   const double radius = 0.04 * std::hypot(width, height);
   double sum = 0.0;
   int count = 0;
+  bool has_cells = false;
   for (int iy = 0; iy < g.ny; ++iy) {
     for (int ix = 0; ix < g.nx; ++ix) {
       if (std::hypot(g.center_x(ix) - x, g.center_y(iy) - y) > radius) continue;
-      sum += field.values[static_cast<std::size_t>(iy * g.nx + ix)];
+      has_cells = true;
+      const double value = field.values[static_cast<std::size_t>(iy * g.nx + ix)];
+      if (std::isnan(value)) continue;
+      sum += value;
       ++count;
     }
   }
-  return count > 0 ? sum / count : field.at(x, y);
+  if (!has_cells) return field.at(x, y);
+  return count > 0 ? sum / count : kNone;
 }
 
 double uniformity(const CellField& field, const std::vector<Point>& points) {
@@ -79,6 +84,7 @@ double uniformity(const CellField& field, const std::vector<Point>& points) {
   double high = 0.0;
   for (const Point& point : points) {
     const double value = spot(field, point);
+    if (std::isnan(value)) continue;
     low = std::min(low, value);
     high = std::max(high, value);
   }
@@ -141,6 +147,15 @@ Evenness evenness(const Tally& luminance) {
   return result;
 }
 
+CellField counted_only(CellField luminance, const CellField& target) {
+  if (target.values.empty()) return luminance;
+  core::expects(target.values.size() == luminance.values.size(), "luminance and target on the same cells");
+  for (std::size_t i = 0; i < luminance.values.size(); ++i) {
+    if (target.values[i] == 0.0) luminance.values[i] = kNone;
+  }
+  return luminance;
+}
+
 double uniformity_9(const CellField& luminance) {
   return uniformity(luminance, nine_points());
 }
@@ -161,8 +176,9 @@ double center_luminance(const CellField& luminance) {
   return spot(luminance, {0.5, 0.5});
 }
 
-SpotErrors spot_errors(const Tally& luminance, const core::CellGrid& grid) {
+SpotErrors spot_errors(const Tally& luminance, const CellField& target) {
   const std::size_t batches = luminance.batches();
+  const core::CellGrid& grid = target.grid;
   core::expects(batches >= 2 && luminance.bins() == grid.size(), "at least 2 batches of the cells of the grid");
   CellField total(grid, 0.0);
   for (std::size_t b = 0; b < batches; ++b) {
@@ -174,9 +190,10 @@ SpotErrors spot_errors(const Tally& luminance, const core::CellGrid& grid) {
   for (std::size_t b = 0; b < batches; ++b) {
     for (std::size_t i = 0; i < rest.values.size(); ++i)
       rest.values[i] = (total.values[i] - luminance.batch(b)[i]) * scale;
-    nine.push_back(uniformity_9(rest));
-    thirteen.push_back(uniformity_13(rest));
-    center.push_back(center_luminance(rest));
+    const CellField counted = counted_only(rest, target);
+    nine.push_back(uniformity_9(counted));
+    thirteen.push_back(uniformity_13(counted));
+    center.push_back(center_luminance(counted));
   }
   return {jackknife_se(nine), jackknife_se(thirteen), jackknife_se(center)};
 }

@@ -29,9 +29,13 @@ Evenness evenness(const core::Tally& luminance);
 /// The mean of the cells with its standard error, unit of the tally.
 core::Estimate mean_of_cells(const core::Tally& luminance);
 
+/// The luminance with not-a-number where the target is 0: such cells do not count. An empty target: all count.
+core::CellField counted_only(core::CellField luminance, const core::CellField& target);
+
 /// Minimum over maximum of the luminance of spots at 9 points (a 3 x 3 grid at 10, 50 and 90 % of length and width) and
 /// 13 points (those and the 4 at 30 and 70 %). A spot is the mean of the cells whose centers lie within 4 % of the
-/// diagonal of the point. Not a number if all spots are dark.
+/// diagonal of the point; cells that are not a number do not count, nor spots of such cells. Not a number if all spots
+/// are dark.
 double uniformity_9(const core::CellField& luminance);
 double uniformity_13(const core::CellField& luminance);
 /// One of those spots.
@@ -52,7 +56,7 @@ struct SpotErrors {
   double center = 0.0;  ///< unit of the tally
 };
 /// By the jackknife: each batch left out in turn (Efron, The Jackknife, the Bootstrap and Other Resampling Plans, 1982,
-/// eq. 3.1). At least 2 batches of the cells of `grid`, in its order.
-SpotErrors spot_errors(const core::Tally& luminance, const core::CellGrid& grid);
+/// eq. 3.1). At least 2 batches of the cells of `target`, in its order; those of target 0 do not count.
+SpotErrors spot_errors(const core::Tally& luminance, const core::CellField& target);
 
 }  // namespace evenglow::design

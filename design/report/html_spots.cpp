@@ -1,6 +1,7 @@
 #include "design/report/html_spots.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <fmt/format.h>
 
@@ -20,7 +21,9 @@ struct Column {
 
   double greatest() const {
     double most = 0.0;
-    for (const SpotValue& spot : spots) most = std::max(most, spot.luminance);
+    for (const SpotValue& spot : spots) {
+      if (std::isfinite(spot.luminance)) most = std::max(most, spot.luminance);
+    }
     return most;
   }
 };
@@ -46,7 +49,8 @@ std::string row_of(const std::vector<Column>& columns, std::size_t i) {
 std::string spot_table(const std::vector<const Report*>& reports) {
   std::vector<Column> columns;
   for (const Report* report : reports) {
-    if (is_filled(report->luminance)) columns.push_back({report->variant, uniformity_spots(report->luminance)});
+    if (!is_filled(report->luminance)) continue;
+    columns.push_back({report->variant, uniformity_spots(counted_only(report->luminance, report->target))});
   }
   if (columns.empty()) return "";
   std::string head =

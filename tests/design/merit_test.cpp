@@ -180,6 +180,28 @@ TEST(Uniformity, SpotsAtNineAndThirteenPoints) {
   EXPECT_TRUE(std::isnan(uniformity_9(core::CellField(field.grid, 0.0))));
 }
 
+/// A notch: what a mask takes out of the display is no part of a spot, nor its center a spot of its own.
+TEST(Uniformity, CellsThatDoNotCountAreInNoSpot) {
+  core::CellField field(core::CellGrid::over(100, 50, 0.0, 0.0, 100.0, 50.0), 10.0);
+  core::CellField target(field.grid, 1.0);
+  core::Tally tally(field.values.size());
+  for (int iy = 0; iy < 50; ++iy) {
+    for (int ix = 0; ix < 100; ++ix) {
+      const auto cell = static_cast<std::size_t>(iy * 100 + ix);
+      if (ix > 84 && iy < 25) field.values[cell] = target.values[cell] = 0.0;  // a spot, and half of that at 0.9, 0.5
+    }
+  }
+  for (int b = 0; b < 3; ++b) tally.add_batch(std::vector<double>(field.values));
+  EXPECT_EQ(uniformity_9(field), 0.0);
+  EXPECT_EQ(counted_only(field, {}).values, field.values);
+  const core::CellField counted = counted_only(field, target);
+  EXPECT_DOUBLE_EQ(uniformity_9(counted), 1.0);
+  EXPECT_DOUBLE_EQ(uniformity_13(counted), 1.0);
+  EXPECT_TRUE(std::isnan(uniformity_spots(counted)[2].luminance));
+  EXPECT_DOUBLE_EQ(uniformity_spots(counted)[5].luminance, 10.0);
+  EXPECT_EQ(spot_errors(tally, target).uniformity_9, 0.0);
+}
+
 // The variance of 400 repetitions is known to 7 % (the error to 3.5 %); 15 % is more than four of its errors for each
 // of the three figures: a false alarm in fewer than 1 of 10 000 seeds.
 TEST(Uniformity, ErrorsAgreeWithTheScatterOfRepetitions) {
@@ -192,7 +214,7 @@ TEST(Uniformity, ErrorsAgreeWithTheScatterOfRepetitions) {
     const core::Tally tally = draw(p, {400.0}, 20, generator);
     core::CellField total(grid, 0.0);
     for (std::size_t i = 0; i < total.values.size(); ++i) total.values[i] = tally.total(i).value;
-    const SpotErrors se = spot_errors(tally, grid);
+    const SpotErrors se = spot_errors(tally, core::CellField(grid, 1.0));
     const double value[3] = {uniformity_9(total), uniformity_13(total), center_luminance(total)};
     const double error[3] = {se.uniformity_9, se.uniformity_13, se.center};
     for (int j = 0; j < 3; ++j) {
