@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <chrono>
 #include <csignal>
+#include <functional>
+#include <set>
 #include <thread>
 
 #include <gmock/gmock.h>
@@ -25,6 +27,19 @@ Words mpirun(int ranks, const Words& arguments) {
   return words;
 }
 
+const std::set<std::string> kTablesOfCost = {"convergence.csv", "pareto.csv", "optimize.csv", "batch.csv"};
+
+/// What runs cost is told of the machine, at any depth of a table.
+nlohmann::ordered_json without_cost(nlohmann::ordered_json json) {
+  if (json.is_object()) {
+    for (const char* key : {"timing", "cpu_s"}) json.erase(key);
+  }
+  for (auto& part : json) {
+    if (part.is_structured()) part = without_cost(part);
+  }
+  return json;
+}
+
 /// All files of a result, the numbers that tell of the machine taken out.
 std::string bits_of(const fs::path& directory) {
   std::vector<fs::path> files;
@@ -37,13 +52,11 @@ std::string bits_of(const fs::path& directory) {
     bits += file.string() + "\n";
     if (file.filename() == "result.json") {
       bits += lasting_part(directory / file);
+    } else if (file.extension() == ".json") {
+      bits += without_cost(json_of(directory / file)).dump();
     } else if (file.extension() == ".csv" || file.filename() == "luminance.png" || file.filename() == "density.png") {
-      // What designs cost stands in these two tables.
-      if (file.filename() != "convergence.csv" && file.filename() != "pareto.csv") bits += file_text(directory / file);
-    } else if (file.filename() == "pareto.json") {
-      auto front = json_of(directory / file);
-      for (const char* key : {"timing", "cpu_s"}) front.erase(key);
-      bits += front.dump();
+      // What runs cost stands in these tables, and the same numbers in their JSON.
+      if (!kTablesOfCost.contains(file.filename().string())) bits += file_text(directory / file);
     }
   }
   return bits;
@@ -64,7 +77,17 @@ std::vector<int> ranks_below(int parent) {
 
 class Mpi : public ::testing::Test {
  protected:
-  Mpi() { write_text(folder_ / "tiny.yaml", kTinyRun); }
+  Mpi() {
+    const std::string tiny = kTinyRun;
+    write_text(folder_ / "tiny.yaml", tiny);
+    std::string alone = tiny;
+    alone.erase(alone.find("variants:"), alone.find("trace:") - alone.find("variants:"));
+    write_text(folder_ / "sweep.yaml", alone + "sweep: {grid: {trace.seed: [1, 2, 3]}}\n");
+    write_text(folder_ / "outer.yaml", alone +
+                                           "optimize:\n  - {key: design.level, range: [0.05, 0.3]}\n"
+                                           "  - {key: \"backlight.films[0].haze\", range: [0.5, 0.95]}\n"
+                                           "optimizer: {evaluations: 4, rms: 0.2}\n");
+  }
 
   ProgramResult run(int ranks, const Words& arguments) const {
     return ranks == 0 ? evenglow(arguments, folder_.path()) : run_program(mpirun(ranks, arguments), folder_.path());
@@ -75,15 +98,15 @@ class Mpi : public ::testing::Test {
                         more);
   }
 
-  /// Starts a design on ranks and sends the signal to one of them (-1: to mpirun) after its step 2.
-  ProgramResult struck(int ranks, int rank, int signal, const Words& more) const {
+  /// Starts a command on ranks and sends the signal to one of them (-1: to mpirun) when it has come far enough.
+  ProgramResult struck(int ranks, int rank, int signal, const Words& arguments,
+                       const std::function<bool()>& far) const {
     const std::string command = "echo $$ > pid; exec \"$@\"";
     Words words = {"/bin/sh", "-c", command, "sh"};
-    const Words launched = mpirun(ranks, design("out", more));
+    const Words launched = mpirun(ranks, arguments);
     words.insert(words.end(), launched.begin(), launched.end());
     Program program(words, folder_.path());
-    while (program.is_running() && saved_steps(folder_ / "out") < 2)
-      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    while (program.is_running() && !far()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
     const int launcher = std::stoi(file_text(folder_ / "pid"));
     if (rank < 0) {
       ::kill(launcher, signal);
@@ -104,6 +127,8 @@ TEST_F(Mpi, EveryCommandHasTheSameBitsOnAnyNumberOfRanksAndThreads) {
       {"simulate", {"simulate", "tiny.yaml"}},
       {"compare", {"compare", "tiny.yaml"}},
       {"pareto", {"pareto", "tiny.yaml", "--set", "design.pareto_levels=[0.2,0.4]"}},
+      {"optimize", {"optimize", "outer.yaml"}},
+      {"batch", {"batch", "sweep.yaml"}},
       {"reuse", {"design", "tiny.yaml", "--set", "design.updater=path_reuse"}}};
   for (const auto& [name, command] : commands) {
     const auto outcome = [&](int ranks, const std::string& threads) {
@@ -150,6 +175,39 @@ TEST_F(Mpi, ADirectoryInUseOrFullIsRefusedOnce) {
   EXPECT_THAT(again.err, HasSubstr("must not hold another result"));
 }
 
+/// A search over scalar keys and a batch whose rank 1 dies between two designs, on 3 ranks and then on others.
+TEST_F(Mpi, ASearchAndABatchGoOnAfterADeadRank) {
+  struct Long {
+    const char* name;
+    Words command;
+    std::string sign;  ///< a file that is there when something is done and something left
+  };
+  const std::vector<Long> commands = {
+      {"optimize", {"optimize", "outer.yaml", "--photons", "2e5", "--threads", "1"}, "out/checkpoint.json"},
+      {"batch", {"batch", "sweep.yaml", "--photons", "2e5", "--threads", "1"}, "out/p1_seed-1/result.json"}};
+  for (const auto& [name, command, sign] : commands) {
+    const auto into = [&](const std::string& out, bool resume) {
+      Words words = command;
+      for (const std::string& word : {std::string("-o"), out, std::string("--quiet")}) words.push_back(word);
+      if (resume) words.push_back("--resume");
+      return words;
+    };
+    ASSERT_EQ(run(0, into(std::string("whole_") + name, false)).code, 0);
+    const std::string expected = bits_of(folder_ / (std::string("whole_") + name));
+    EXPECT_FALSE(expected.empty());
+    for (const int ranks : {0, 2, 4}) {
+      fs::remove_all(folder_ / "out");
+      const ProgramResult result =
+          struck(3, 1, SIGKILL, into("out", false), [&, file = folder_ / sign] { return fs::exists(file); });
+      EXPECT_NE(result.code, 0) << name;
+      EXPECT_FALSE(result.timed_out) << name;
+      const ProgramResult resumed = run(ranks, into("out", true));
+      ASSERT_EQ(resumed.code, 0) << name << resumed.err;
+      EXPECT_TRUE(bits_of(folder_ / "out") == expected) << name << ranks;
+    }
+  }
+}
+
 struct Blow {
   int rank;
   int signal;
@@ -167,7 +225,8 @@ TEST_P(MpiBlow, ARunGoesOnOnAnyNumberOfRanks) {
   resume.push_back("--resume");
   for (const int ranks : {0, 1, 2, 3, 4}) {
     fs::remove_all(folder_ / "out");
-    const ProgramResult result = struck(3, GetParam().rank, GetParam().signal, more);
+    const ProgramResult result = struck(3, GetParam().rank, GetParam().signal, design("out", more),
+                                        [&] { return saved_steps(folder_ / "out") >= 2; });
     EXPECT_NE(result.code, 0) << result.err;
     EXPECT_FALSE(result.timed_out);
     EXPECT_FALSE(result.err.empty());
