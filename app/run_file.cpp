@@ -24,6 +24,15 @@ void check_version(const core::ConfigNode& root) {
 
 /// A path that the backlight does not allow is told before the first photon.
 void check_path(const ConfigDocument& document, const Run& run) {
+  const bool by_dots = run.backlight.microstructure && run.backlight.microstructure->dots;
+  if (run.trace.path == tracer::TracePath::kWavefront && by_dots) {
+    document.root()
+        .map("trace", "how it is traced")
+        .fault_at("path",
+                  "wavefront knows densities only, not dots one by one (backlight.microstructure.dots_file); allowed "
+                  "here: auto, planar, general, got wavefront");
+    document.finish();
+  }
   if (run.trace.path != tracer::TracePath::kPlanar) return;
   std::string reason;
   const core::ConfigNode root = document.root();
@@ -61,6 +70,11 @@ Run read_keys(const ConfigDocument& document, Purpose purpose) {
   if (purpose == Purpose::kDesign && backlight.present() && !backlight.has("microstructure")) {
     backlight.fault_at("microstructure",
                        "must be given for a design, which changes its density, got nothing (simulate needs none)");
+  }
+  if (purpose == Purpose::kDesign && run.backlight.microstructure && run.backlight.microstructure->dots) {
+    backlight.map("microstructure", "the pattern that throws the light out of the plate")
+        .fault_at("dots_file",
+                  "must be left out for a design, which changes densities, not dots (simulate traces them)");
   }
   run.trace = tracer::read_trace(root.map("trace", "how it is traced"));
   run.design = design::read_design(root.map("design", "how it is designed"));

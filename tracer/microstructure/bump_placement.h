@@ -18,6 +18,8 @@ class BumpPlacement {
   BumpPlacement(Form form, double axis, bool on_top);
 
   bool sunk() const { return flip_ < 0.0; }
+  /// Whether the bump grows along the backlight's z (1) or against it, with its y against the backlight's (-1).
+  double growth() const { return on_top_ != sunk() ? 1.0 : -1.0; }
 
   core::Vec3 into_bump(const core::Vec3& v) const {
     return {x_x_ * v.x() + x_y_ * v.y(), flip_ * (x_x_ * v.y() - x_y_ * v.x()), flip_ * v.z()};
@@ -36,6 +38,7 @@ class BumpPlacement {
  private:
   double x_x_, x_y_;  ///< the bump's x axis in the frame of the surface
   double flip_;       ///< -1: sunk
+  bool on_top_;
 };
 
 }  // namespace evenglow::tracer

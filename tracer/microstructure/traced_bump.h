@@ -5,6 +5,7 @@
 
 #include "tracer/microstructure/bump_facet.h"
 #include "tracer/microstructure/bump_placement.h"
+#include "tracer/microstructure/dot_trace.h"
 #include "tracer/microstructure/ray_span.h"
 #include "tracer/optics/bsdf.h"
 
@@ -31,7 +32,8 @@ namespace evenglow::tracer {
 ///
 /// Limits. Shading is that of the patch, not of the local density: choose `fill` near the coverage of the real pattern
 /// where the structures are steep (docs/microstructures.md has figures). Neighbors outside the patch are not there. The
-/// way from entrance to exit, micrometers, is neglected on the plate.
+/// way from entrance to exit, micrometers, is neglected on the plate. Where the real places of the structures are given
+/// (`DotShape`), each is met where it stands instead and these limits fall away.
 ///
 /// `Shape`, a convex body over its footprint in z = 0 with its cell, in units of half the footprint's width:
 /// - `double height()`;
@@ -41,7 +43,7 @@ namespace evenglow::tracer {
 /// - `bool clears(p, k)`: can light that rises beside the bump, at p, no longer meet this or another bump?
 /// - `double way_to_wall(p, k)` of the cell; `void next_cell(p, k)` moves p there and into the next cell.
 template <typename Shape>
-class TracedBump final : public Bsdf {
+class TracedBump final : public Bsdf, public DotShape {
  public:
   /// Meetings of one photon and cells between two of them; what needs more counts as absorbed. No ray of
   /// positive measure is caught for ever, as a path of light can be reversed.
@@ -51,7 +53,8 @@ class TracedBump final : public Bsdf {
   TracedBump(Shape shape, const BumpPlacement& placement, double plate_index)
       : shape_(std::move(shape)),
         placement_(placement),
-        face_(placement.sunk() ? DielectricFace(1.0, plate_index) : DielectricFace(plate_index, 1.0)) {}
+        face_(placement.sunk() ? DielectricFace(1.0, plate_index) : DielectricFace(plate_index, 1.0)),
+        ratio_(placement.sunk() ? 1.0 / plate_index : plate_index) {}
 
   std::optional<BsdfSample> sample(const core::StokesVector& incident, core::PhotonRng& rng) const override {
     core::StokesVector light = placement_.into_bump(incident);
@@ -80,7 +83,28 @@ class TracedBump final : public Bsdf {
   bool redirects() const override { return true; }
   Specular specular(const core::Vec3&) const override { return {}; }
 
+  bool meets_dot(const DotGrid& dots, const core::Vec2& place, const core::Vec3& k) const override {
+    const double flip = placement_.growth();
+    return trace(dots).meets({place.x(), flip * place.y()}, grown(k));
+  }
+  std::optional<Outcome> sample_among(const DotGrid& dots, const core::Vec2& place, const core::StokesVector& light,
+                                      core::PhotonRng& rng) const override {
+    const double flip = placement_.growth();
+    auto outcome = trace(dots).sample({place.x(), flip * place.y()}, grown(light), rng);
+    if (!outcome) return std::nullopt;
+    return Outcome{grown(outcome->light), {outcome->place.x(), flip * outcome->place.y()}};
+  }
+
  private:
+  DotTrace<Shape> trace(const DotGrid& dots) const { return {shape_, dots, placement_.growth(), face_, ratio_}; }
+  /// Between the axes of the backlight and those in which the bumps grow along z: half a turn about x, or none.
+  core::Vec3 grown(const core::Vec3& v) const {
+    const double flip = placement_.growth();
+    return {v.x(), flip * v.y(), flip * v.z()};
+  }
+  core::StokesVector grown(const core::StokesVector& s) const {
+    return {s.I, s.Q, s.U, s.V, {grown(s.frame.k), grown(s.frame.e1)}};
+  }
   /// Besides the faces of the shape, which count from 0.
   enum Meeting { kNone = -1, kBareFace = -2, kCleared = -3, kLost = -4 };
 
@@ -125,6 +149,7 @@ class TracedBump final : public Bsdf {
   Shape shape_;
   BumpPlacement placement_;
   DielectricFace face_;
+  double ratio_;  ///< index of the bump's material over that around it
 };
 
 }  // namespace evenglow::tracer

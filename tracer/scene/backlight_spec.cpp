@@ -9,6 +9,7 @@
 #include "tracer/microstructure/pattern_face.h"
 #include "tracer/scene/cell_keys.h"
 #include "tracer/scene/density_file.h"
+#include "tracer/scene/dots_file.h"
 #include "tracer/scene/plate_keys.h"
 #include "tracer/scene/receiver_keys.h"
 #include "tracer/sources/window_overlap.h"
@@ -37,8 +38,9 @@ void read_density_map(const ConfigNode& node, MicrostructureSpec& spec) {
   spec.density_map = matrix->values;
 }
 
-std::optional<MicrostructureSpec> read_microstructure(const ConfigNode& backlight, bool has_plate) {
-  if (!has_plate) {
+std::optional<MicrostructureSpec> read_microstructure(const ConfigNode& backlight,
+                                                      const BacklightSpec& backlight_spec) {
+  if (!backlight_spec.plate) {
     if (backlight.has("microstructure")) {
       backlight.fault_at("microstructure", "needs a light_guide_plate to stand on, got none");
       backlight.map("microstructure", "").mark_read();
@@ -54,6 +56,12 @@ std::optional<MicrostructureSpec> read_microstructure(const ConfigNode& backligh
       {"density", "share of the area under microstructure at the start, every cell", Range::closed(0, 1), 0.1});
   read_density_map(node, spec);
   if (auto shape = microstructure_registry().make(node, "printed_dot")) spec.shape = std::move(*shape);
+  const Box& area = backlight_spec.area;
+  spec.dots = read_dots_file(node, spec.shape.kind, {area.min.x(), area.max.x(), area.min.y(), area.max.y()});
+  const bool wedge = backlight_spec.plate->end_thickness < backlight_spec.plate->thickness;
+  if (spec.dots && wedge && spec.shape.kind != "printed_dot") {
+    node.fault_at("dots_file", "of shapes with a height needs a flat light_guide_plate, got a wedge");
+  }
   return spec;
 }
 
@@ -147,7 +155,7 @@ BacklightSpec read_backlight(const ConfigNode& backlight) {
   } else {
     spec.area = bare_area(backlight);
   }
-  spec.microstructure = read_microstructure(backlight, spec.plate.has_value());
+  spec.microstructure = read_microstructure(backlight, spec);
   read_reflectors(backlight, spec);
   read_films(backlight, spec);
   read_sources(backlight, spec);

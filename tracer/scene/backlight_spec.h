@@ -22,6 +22,8 @@
 
 namespace evenglow::tracer {
 
+class DotGrid;
+
 /// Serrations of end faces.
 struct EntranceTexture {
   std::vector<Side> sides;
@@ -42,8 +44,9 @@ struct MicrostructureSpec {
   Side face = Side::kBottom;  ///< bottom or top
   int nx = 96;
   int ny = 48;
-  double density = 0.1;             ///< at the start, every cell
-  std::vector<double> density_map;  ///< at the start, index iy * nx + ix; empty: `density` everywhere
+  double density = 0.1;                 ///< at the start, every cell
+  std::vector<double> density_map;      ///< at the start, index iy * nx + ix; empty: `density` everywhere
+  std::shared_ptr<const DotGrid> dots;  ///< the pattern itself, dot by dot; null: by its density
   Microstructure shape;
 };
 

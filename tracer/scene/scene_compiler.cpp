@@ -1,5 +1,6 @@
 #include <utility>
 
+#include "tracer/microstructure/dot_grid.h"
 #include "tracer/scene/density_field.h"
 #include "tracer/scene/scene.h"
 #include "tracer/scene/scene_builder.h"
@@ -30,6 +31,10 @@ DensityField initial_density(const BacklightSpec& spec) {
   const MicrostructureSpec& pattern = *spec.microstructure;
   DensityField field{core::CellField(grid(pattern.nx, pattern.ny), pattern.density)};
   if (!pattern.density_map.empty()) field.cells.values = pattern.density_map;
+  if (pattern.dots) {
+    field.cells = pattern.dots->coverage(field.cells.grid);
+    field.dots = pattern.dots;
+  }
   return field;
 }
 

@@ -28,6 +28,7 @@ double brdf_of(const Bsdf* surface) {
 NextEvent::NextEvent(const Scene& scene, const DensityField& density)
     : scene_(scene),
       density_(density),
+      dots_(scene, density),
       levels_(scene),
       subpath_(scene, levels_),
       active_(scene.spec.luminance.estimator == LuminanceEstimator::kNextEvent),
@@ -111,6 +112,10 @@ void NextEvent::arrive_at_pattern(const Meeting& meeting, BatchSums& sums) const
 
 void NextEvent::estimate_pattern(const Meeting& meeting, BatchSums& sums) const {
   const int level = pattern_level_[meeting.band];
+  if (dots_.given()) {
+    estimate(meeting, level, optics_of(level, meeting.band).pattern_brdf, 1, sums);
+    return;
+  }
   const std::size_t cell = cell_at(meeting.position.head<2>());
   const Vec3 weight = density_per_estimate_[cell] * meeting.weight;
   if (sums.log != nullptr) sums.log->begin_share(cell);

@@ -9,6 +9,7 @@
 #include "tracer/scene/density_field.h"
 #include "tracer/scene/scene.h"
 #include "tracer/transport/batch_sums.h"
+#include "tracer/transport/pattern_dots.h"
 #include "tracer/transport/viewer_levels.h"
 #include "tracer/transport/viewer_subpath.h"
 
@@ -67,7 +68,8 @@ class NextEvent {
   // A pattern that scatters (white dots) can be estimated more often than it is met: at each arrival at its face with
   // the density d, whether or not the pattern is met, `estimates`(-ln(1 - d)) times on average, and with d over that.
   // So the light spreads over all cells that it comes by. `meet` does it where it is told of each arrival; a path that
-  // goes through many in one step does it by itself.
+  // goes through many in one step does it by itself. A pattern that is traced dot by dot has densities 0 and 1: it is
+  // estimated where it is met, and nowhere else.
 
   /// At most 1; about `kMoreOften` times the odds of meeting the pattern. `depth`: -ln(1 - density).
   static double estimates(double depth) { return std::min(1.0, kMoreOften * depth); }
@@ -102,7 +104,8 @@ class NextEvent {
   void join(const Meeting& meeting, std::size_t list, double brdf, std::size_t part, ViewerPool& pool,
             BatchSums& sums) const;
   double scattered_power(const Meeting& meeting, const ViewerArrival& arrival, double brdf) const;
-  double open_share(const ViewerArrivals& arrivals, const ViewerArrival& arrival, const core::Vec2& at) const;
+  double open_share(const ViewerArrivals& arrivals, const ViewerArrival& arrival, const core::Vec2& at,
+                    std::size_t band) const;
   void tell_crossings(const ViewerArrivals& arrivals, const ViewerArrival& arrival, const core::Vec2& at,
                       ArrivalLog& log) const;
   void find_fits(ViewerArrivals& arrivals) const;
@@ -133,6 +136,7 @@ class NextEvent {
 
   const Scene& scene_;
   const DensityField& density_;
+  PatternDots dots_;
   ViewerLevels levels_;
   ViewerSubpath subpath_;
   bool active_;

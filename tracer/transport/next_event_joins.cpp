@@ -53,10 +53,16 @@ bool NextEvent::inside(const ViewerArrival& arrival, const Vec2& at) {
 }
 
 /// What of the light on this way meets the smooth part of the patterned face each time.
-double NextEvent::open_share(const ViewerArrivals& arrivals, const ViewerArrival& arrival, const Vec2& at) const {
+double NextEvent::open_share(const ViewerArrivals& arrivals, const ViewerArrival& arrival, const Vec2& at,
+                             std::size_t band) const {
   double share = 1.0;
   for (std::size_t i = 0; i < arrival.crossings; ++i) {
-    const Vec2 place = at + arrivals.crossings[arrival.first_crossing + i];
+    const PatternCrossing& crossing = arrivals.crossings[arrival.first_crossing + i];
+    const Vec2 place = at + crossing.place;
+    if (dots_.given()) {
+      if (dots_.meets(place, crossing.k, band)) return 0.0;
+      continue;
+    }
     share *= 1.0 - density_.cells.values[cell_at(place)];
   }
   return share;
@@ -65,7 +71,7 @@ double NextEvent::open_share(const ViewerArrivals& arrivals, const ViewerArrival
 void NextEvent::tell_crossings(const ViewerArrivals& arrivals, const ViewerArrival& arrival, const Vec2& at,
                                ArrivalLog& log) const {
   for (std::size_t i = 0; i < arrival.crossings; ++i) {
-    const Vec2 place = at + arrivals.crossings[arrival.first_crossing + i];
+    const Vec2 place = at + arrivals.crossings[arrival.first_crossing + i].place;
     log.crossing(cell_at(place));
   }
 }
@@ -170,7 +176,8 @@ void NextEvent::join(const Meeting& meeting, std::size_t list, double brdf, std:
       const int bin = cells.index_at(anchor.place + arrival.display);
       if (bin < 0) continue;
       if (sums.log != nullptr) tell_crossings(pool.arrivals(), arrival, anchor.place, *sums.log);
-      const double open = arrival.crossings > 0 ? open_share(pool.arrivals(), arrival, anchor.place) : 1.0;
+      const double open =
+          arrival.crossings > 0 ? open_share(pool.arrivals(), arrival, anchor.place, meeting.band) : 1.0;
       sums.add_luminance({static_cast<std::size_t>(bin), arrival.view.weight * open * power}, meeting.weight);
     }
   }
@@ -208,7 +215,7 @@ void NextEvent::score(const Meeting& meeting, const ViewerArrival& arrival, cons
   if ((seen - meeting.position.head<2>()).squaredNorm() > reach_here * reach_here) return;
   const auto counted = scene_.luminance.score_view({seen.x(), seen.y(), scene_.box.max.z()}, arrival.view);
   if (!counted) return;
-  const double open = arrival.crossings > 0 ? open_share(pool.arrivals(), arrival, anchor) : 1.0;
+  const double open = arrival.crossings > 0 ? open_share(pool.arrivals(), arrival, anchor, meeting.band) : 1.0;
   if (sums.log != nullptr) tell_crossings(pool.arrivals(), arrival, anchor, *sums.log);
   sums.add_luminance({counted->bin, counted->weight * open * factor}, meeting.weight);
 }

@@ -43,6 +43,7 @@ PhotonHistory::PhotonHistory(const Scene& scene, const DensityField& density)
     : scene_(scene),
       quads_(scene.optics.front().surfaces),
       density_(density),
+      dots_(scene, density),
       next_event_(scene, density),
       faces_(scene.optics.front().bodies.size()) {
   for (std::size_t quad = 0; quad < quads_.size(); ++quad) {
@@ -128,9 +129,12 @@ RayHit PhotonHistory::next_hit(const Walk& walk) const {
                                       [&](int quad) { return quad != passed && can_meet(photon, quad); });
 }
 
-PhotonHistory::Encounter PhotonHistory::meet(const Surface& surface, const Vec3& position, core::PhotonRng& rng) const {
-  if (surface.pattern != nullptr && rng.uniform() < density_.at(position.x(), position.y())) {
-    return {surface.pattern, surface.pattern_part};
+PhotonHistory::Encounter PhotonHistory::meet(const Surface& surface, const Walk& walk, const Vec3& position,
+                                             core::PhotonRng& rng) const {
+  if (surface.pattern != nullptr) {
+    const bool met = dots_.given() ? dots_.meets(position.head<2>(), walk.photon.light.frame.k, walk.band)
+                                   : rng.uniform() < density_.at(position.x(), position.y());
+    if (met) return {surface.pattern, surface.pattern_part};
   }
   if (!surface.windows.empty()) {
     const double x = surface.x.dot(position);
@@ -140,6 +144,19 @@ PhotonHistory::Encounter PhotonHistory::meet(const Surface& surface, const Vec3&
     }
   }
   return {surface.optics, surface.part};
+}
+
+std::optional<BsdfSample> PhotonHistory::sample(const Surface& surface, const Walk& walk, const Encounter& encounter,
+                                                const StokesVector& light, Vec3& position, core::PhotonRng& rng) const {
+  const bool among_dots = dots_.given() && encounter.optics == surface.pattern && dots_.shape(walk.band) != nullptr;
+  if (!among_dots) return encounter.optics->sample(light, rng);
+  auto outcome = dots_.shape(walk.band)->sample_among(dots_.grid(), position.head<2>(), walk.photon.light, rng);
+  if (!outcome) return std::nullopt;
+  const Box& area = scene_.spec.area;
+  if (outcome->place.allFinite()) {
+    position.head<2>() = outcome->place.cwiseMax(area.min.head<2>()).cwiseMin(area.max.head<2>());
+  }
+  return BsdfSample{to_local(surface, outcome->light), true};
 }
 
 void PhotonHistory::escape_by(Side side, const Walk& walk, BatchSums& sums) const {
@@ -212,7 +229,7 @@ PhotonHistory::Flight PhotonHistory::fly(Walk& walk, double distance, core::Phot
 
 bool PhotonHistory::interact(Walk& walk, const RayHit& hit, core::PhotonRng& rng, BatchSums& sums) const {
   const Surface& surface = scene_.optics[walk.band].surfaces[static_cast<std::size_t>(hit.quad)];
-  const Encounter encounter = meet(surface, hit.position, rng);
+  const Encounter encounter = meet(surface, walk, hit.position, rng);
   if (sums.log != nullptr && surface.pattern != nullptr) {
     const int cell = density_.cells.grid.nearest_index(hit.position.x(), hit.position.y());
     sums.log->arrival(static_cast<std::size_t>(cell), encounter.optics == surface.pattern);
@@ -231,7 +248,8 @@ bool PhotonHistory::interact(Walk& walk, const RayHit& hit, const Encounter& enc
   const NextEvent::Meeting meeting{hit.quad, *encounter.optics, light, hit.position, walk.band, walk.weight, walk.told};
   const bool estimated = next_event_.meet(walk.coverage, meeting, sums);
   const double k_before = light.frame.k.z();
-  const auto sample = encounter.optics->sample(light, rng);
+  Vec3 left_at = hit.position;
+  const auto sample = this->sample(surface, walk, encounter, light, left_at, rng);
   if (!sample) {
     sums.energy[scene_.energy.absorbed_bin(encounter.part)] += walk.weight.y();
     return false;
@@ -245,7 +263,7 @@ bool PhotonHistory::interact(Walk& walk, const RayHit& hit, const Encounter& enc
     return false;
   }
   walk.corner = hit.distance <= kSamePoint ? photon.quad : -1;
-  photon.position = hit.position;
+  photon.position = left_at;
   photon.quad = hit.quad;
   if (surface.body >= 0 && crosses) photon.body = photon.body >= 0 ? -1 : surface.body;
   return true;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "core/montecarlo/photon_rng.h"
@@ -8,6 +9,7 @@
 #include "tracer/scene/scene.h"
 #include "tracer/transport/batch_sums.h"
 #include "tracer/transport/next_event.h"
+#include "tracer/transport/pattern_dots.h"
 
 namespace evenglow::tracer {
 
@@ -75,11 +77,15 @@ class PhotonHistory {
   /// inside; from a face outwards, none of the same body.
   bool can_meet(const Photon& photon, int quad) const;
   bool consistent(const Photon& photon, const RayHit& hit) const;
-  Encounter meet(const Surface& surface, const core::Vec3& position, core::PhotonRng& rng) const;
+  Encounter meet(const Surface& surface, const Walk& walk, const core::Vec3& position, core::PhotonRng& rng) const;
+  /// What the optics make of the light (frame of the surface), and where it leaves the face (`position`).
+  std::optional<BsdfSample> sample(const Surface& surface, const Walk& walk, const Encounter& encounter,
+                                   const core::StokesVector& light, core::Vec3& position, core::PhotonRng& rng) const;
 
   const Scene& scene_;
   const std::vector<Surface>& quads_;  ///< surfaces of the first wavelength: where they lie is the same for all
   const DensityField& density_;
+  PatternDots dots_;
   NextEvent next_event_;
   std::vector<std::vector<int>> faces_;  ///< of each body: its quads
   std::vector<core::Vec3> outward_;  ///< of each quad: the normal out of the box where it lies in its border, else 0

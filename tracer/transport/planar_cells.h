@@ -5,12 +5,18 @@
 #include <vector>
 
 #include "tracer/scene/density_field.h"
+#include "tracer/scene/scene.h"
 
 namespace evenglow::tracer {
 
 /// The density of microstructure in each cell, found without a division.
 class PlanarCells {
  public:
+  using Band = PlanarCells;
+  PlanarCells(const Scene&, const DensityField& density) : PlanarCells(density) {}
+  /// The same at all wavelengths.
+  const PlanarCells& of(std::size_t) const { return *this; }
+
   explicit PlanarCells(const DensityField& density)
       : x0_(density.cells.grid.x0),
         y0_(density.cells.grid.y0),
@@ -32,6 +38,11 @@ class PlanarCells {
   [[gnu::always_inline]] std::size_t cell(double column, double row) const {
     const int ix = held(static_cast<int>(column), nx_), iy = held(static_cast<int>(row), ny_);
     return static_cast<std::size_t>(iy) * static_cast<std::size_t>(nx_) + static_cast<std::size_t>(ix);
+  }
+
+  /// The same of light that comes along (kx, ky, kz) to the face, which does not matter here.
+  [[gnu::always_inline]] std::size_t cell(double column, double row, double, double, double) const {
+    return cell(column, row);
   }
 
   /// 1 - density: what of the cell is bare.

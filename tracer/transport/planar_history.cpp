@@ -3,5 +3,6 @@
 namespace evenglow::tracer {
 
 template class BasicPlanarHistory<MeridianLight, NoArrivalObserver>;
+template class BasicPlanarHistory<MeridianLight, NoArrivalObserver, PlanarDots>;
 
 }  // namespace evenglow::tracer

@@ -5,6 +5,8 @@
 #include <vector>
 
 #include "tracer/transport/photon_history.h"
+#include "tracer/transport/planar_cells.h"
+#include "tracer/transport/planar_dots.h"
 #include "tracer/transport/planar_plate_walk.h"
 #include "tracer/transport/planar_scene.h"
 
@@ -12,12 +14,13 @@ namespace evenglow::tracer {
 
 /// One photon from birth to absorption or escape in a stack of parallel layers: the physics of `PhotonHistory` with
 /// flights in closed form. `Light`: MeridianLight, or one that knows less (bench/). `Observer`: is told of each arrival
-/// at the patterned face (`PatternArrival`).
-template <typename Light = MeridianLight, typename Observer = NoArrivalObserver>
+/// at the patterned face (`PatternArrival`). `Cells`: `PlanarCells`, or `PlanarDots` for a pattern that is traced dot
+/// by dot.
+template <typename Light = MeridianLight, typename Observer = NoArrivalObserver, typename Cells = PlanarCells>
 class BasicPlanarHistory {
  public:
   BasicPlanarHistory(const Scene& scene, const PlanarScene& layout, const DensityField& density)
-      : scene_(scene), layout_(layout), history_(scene, density), cells_(density) {
+      : scene_(scene), layout_(layout), history_(scene, density), cells_(scene, density) {
     for (std::size_t band = 0; band < scene.optics.size(); ++band) {
       plates_.push_back(PlanarPlate::of(scene, layout, band));
       layers_.push_back(plates_.back() ? PlanarLayers(scene, layout, *plates_.back(), band) : PlanarLayers());
@@ -41,7 +44,7 @@ class BasicPlanarHistory {
         progress.owed = history_.next_event().number(walk.band, sums);
       }
       if (plate->pattern != nullptr) progress.begin_pattern(rng);
-      PlateWalk in_plate(*plate, layers_[walk.band], cells_, history_, scene_, observer);
+      PlateWalk in_plate(*plate, layers_[walk.band], cells_.of(walk.band), history_, scene_, observer);
       if (const auto wall = layout_.wall_ahead(walk.photon)) {  // as most photons do
         ++progress.events;
         alive = in_plate.enter(walk, *wall, plate->side_of(wall->quad), progress, rng, sums);
@@ -59,7 +62,7 @@ class BasicPlanarHistory {
 
  private:
   using Walk = PhotonHistory::Walk;
-  using PlateWalk = PlanarPlateWalk<Light, Observer>;
+  using PlateWalk = PlanarPlateWalk<Light, Observer, typename Cells::Band>;
 
   /// One flight outside the plate and what is met at its end; in the plate, the way through it.
   bool step(Walk& walk, PlateWalk* in_plate, PlanarProgress& progress, core::PhotonRng& rng, BatchSums& sums) const {
@@ -89,12 +92,14 @@ class BasicPlanarHistory {
   const Scene& scene_;
   const PlanarScene& layout_;
   PhotonHistory history_;
-  PlanarCells cells_;
+  Cells cells_;
   std::vector<std::optional<PlanarPlate>> plates_;  ///< of each band
   std::vector<PlanarLayers> layers_;                ///< likewise
 };
 
 using PlanarHistory = BasicPlanarHistory<>;
 extern template class BasicPlanarHistory<MeridianLight, NoArrivalObserver>;
+using DotPlanarHistory = BasicPlanarHistory<MeridianLight, NoArrivalObserver, PlanarDots>;
+extern template class BasicPlanarHistory<MeridianLight, NoArrivalObserver, PlanarDots>;
 
 }  // namespace evenglow::tracer

@@ -4,7 +4,6 @@
 
 #include "core/math/lambertian.h"
 #include "tracer/transport/photon_history.h"
-#include "tracer/transport/planar_cells.h"
 #include "tracer/transport/planar_plate_state.h"
 #include "tracer/transport/surface_frame.h"
 
@@ -26,15 +25,15 @@ struct NoArrivalObserver {
 };
 
 /// What befalls light at the patterned face of the plate: whether it meets the pattern, what plain dots make of it, and
-/// the estimates that `NextEvent` is due there.
-template <typename Light, typename Observer>
+/// the estimates that `NextEvent` is due there. `Cells`: of `PlanarCells` or `PlanarDots`, for one wavelength.
+template <typename Light, typename Observer, typename Cells>
 class PlanarPattern {
  public:
   using Walk = PhotonHistory::Walk;
 
   /// `state`: of the walk, which this one changes where a dot turns the light.
-  PlanarPattern(PlanarPlateState<Light>& state, const PlanarCells& cells, const PhotonHistory& history,
-                const Scene& scene, Observer& observer)
+  PlanarPattern(PlanarPlateState<Light>& state, const Cells& cells, const PhotonHistory& history, const Scene& scene,
+                Observer& observer)
       : plate_(state.plate),
         cells_(cells),
         history_(history),
@@ -44,13 +43,11 @@ class PlanarPattern {
         estimates_(history.next_event().active()) {}
 
   /// At the place of the state: is the pattern met?
-  bool meets(PlanarProgress& progress, core::PhotonRng& rng) {
-    return meets_at(cells_.cell(cells_.column(s_.x), cells_.row(s_.y)), progress, rng);
-  }
+  bool meets(PlanarProgress& progress, core::PhotonRng& rng) { return meets_at(cell_here(), progress, rng); }
 
   /// The same for light from inside, with the estimate that may be due.
   bool meets_from_inside(const Walk& walk, PlanarProgress& progress, core::PhotonRng& rng, BatchSums& sums) {
-    const std::size_t cell = cells_.cell(cells_.column(s_.x), cells_.row(s_.y));
+    const std::size_t cell = cell_here();
     if (estimates_ && progress.owes(NextEvent::estimates(cells_.depth(cell)))) estimate(walk, 0, 0.0, sums);
     return meets_at(cell, progress, rng);
   }
@@ -64,11 +61,13 @@ class PlanarPattern {
     double row = cells_.row(s_.y + s_.light.ky * start);
     const double columns = cells_.columns_per(2.0 * s_.light.kx * period);
     const double rows = cells_.rows_per(2.0 * s_.light.ky * period);
+    const Light& k = s_.light;
+    const double kz = plate_.pattern_side == static_cast<int>(Side::kTop) ? std::abs(k.kz) : -std::abs(k.kz);
     if (!Observer::kActive && !estimates_) {  // nobody to tell: the odds stay in a register
       double missed = progress.missed;
       const double fate = progress.fate;
       for (std::int64_t face = first; face < faces; face += 2) {
-        missed *= cells_.open(cells_.cell(column, row));
+        missed *= cells_.open(cells_.cell(column, row, k.kx, k.ky, kz));
         if (missed < fate) {
           progress.begin_pattern(rng);
           return face;
@@ -80,7 +79,7 @@ class PlanarPattern {
       return faces;
     }
     for (std::int64_t face = first; face < faces; face += 2) {
-      const std::size_t cell = cells_.cell(column, row);
+      const std::size_t cell = cells_.cell(column, row, k.kx, k.ky, kz);
       const bool met = progress.meets(cells_.open(cell), rng);
       if (estimates_ && progress.owes(NextEvent::estimates(cells_.depth(cell)))) {
         estimate(walk, face, to_face + static_cast<double>(face) * period, sums);
@@ -119,6 +118,10 @@ class PlanarPattern {
   }
 
  private:
+  std::size_t cell_here() const {
+    return cells_.cell(cells_.column(s_.x), cells_.row(s_.y), s_.light.kx, s_.light.ky, s_.light.kz);
+  }
+
   bool meets_at(std::size_t cell, PlanarProgress& progress, core::PhotonRng& rng) {
     const bool met = progress.meets(cells_.open(cell), rng);
     if constexpr (Observer::kActive) tell(cell, met, 0, 0.0);
@@ -168,7 +171,7 @@ class PlanarPattern {
   }
 
   const PlanarPlate& plate_;
-  const PlanarCells& cells_;
+  const Cells& cells_;
   const PhotonHistory& history_;
   const Scene& scene_;
   Observer& observer_;

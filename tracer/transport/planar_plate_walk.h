@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "tracer/transport/photon_history.h"
+#include "tracer/transport/planar_cells.h"
 #include "tracer/transport/planar_face.h"
 #include "tracer/transport/planar_pattern.h"
 #include "tracer/transport/planar_stack_walk.h"
@@ -15,12 +16,12 @@ namespace evenglow::tracer {
 
 /// The part of a walk that is spent in the plate, from face to face, and in the layers of air around it: total
 /// reflections between two walls, or two meetings with the pattern, are taken in one step.
-template <typename Light, typename Observer>
+template <typename Light, typename Observer, typename Cells = PlanarCells>
 class PlanarPlateWalk {
  public:
   using Walk = PhotonHistory::Walk;
 
-  PlanarPlateWalk(const PlanarPlate& plate, const PlanarLayers& layers, const PlanarCells& cells,
+  PlanarPlateWalk(const PlanarPlate& plate, const PlanarLayers& layers, const Cells& cells,
                   const PhotonHistory& history, const Scene& scene, Observer& observer)
       : plate_(plate),
         history_(history),
@@ -143,6 +144,8 @@ class PlanarPlateWalk {
           return Around::kInside;
         }
         s_.light = Light(walk.photon.light);
+        s_.x = walk.photon.position.x();
+        s_.y = walk.photon.position.y();
       } else if (gets_in(side, walk, rng)) {
         walk.photon.body = plate_.body;
         return Around::kInside;
@@ -303,7 +306,7 @@ class PlanarPlateWalk {
   const PhotonHistory& history_;
   const Scene& scene_;
   PlanarPlateState<Light> s_;
-  PlanarPattern<Light, Observer> pattern_;
+  PlanarPattern<Light, Observer, Cells> pattern_;
   PlanarStackWalk<Light> stack_;
   int out_side_ = 4;
   std::array<int, 2> level_{-1, -1};  ///< of bottom and top (`ViewerLevels`)

@@ -4,6 +4,7 @@
 #include <iterator>
 
 #include "core/base/error.h"
+#include "tracer/microstructure/dot_grid.h"
 
 namespace evenglow::tracer {
 namespace {
@@ -36,7 +37,11 @@ core::Agreement agreement_on(const Scene& scene, const DensityField& density, co
   core::Agreement agreement;
   agreement.add(options.photons).add(options.batches).add(options.record_bytes);
   agreement.add(options.key.seed).add(options.key.stream).add(options.key.step);
-  agreement.add(scene.luminance.bins()).add(scene.energy.bins()).add(std::vector<double>{scene.flux}).add(density.cells.values);
+  agreement.add(scene.luminance.bins())
+      .add(scene.energy.bins())
+      .add(std::vector<double>{scene.flux})
+      .add(density.cells.values);
+  agreement.add(density.dots ? density.dots->size() : std::size_t{0});
   return agreement;
 }
 

@@ -182,7 +182,10 @@ std::uint64_t whole_batches(std::uint64_t photons, std::size_t batches) {
 std::optional<TraceResult> trace(const Scene& scene, const DensityField& density, const TraceOptions& options) {
   const auto layers = planar_layers(scene, options.path);
   const std::size_t most = ArrivalLog::kMostIndex;
-  const bool record = options.record_bytes > 0 && scene.luminance.bins() <= most && density.cells.values.size() <= most;
+  const bool by_dots = density.dots != nullptr;
+  const bool record =
+      !by_dots && options.record_bytes > 0 && scene.luminance.bins() <= most && density.cells.values.size() <= most;
+  if (layers && by_dots) return traced(scene, density, DotPlanarHistory(scene, *layers, density), options);
   if (takes_wavefront(scene, options))
     return traced(scene, density, WavefrontHistory(scene, *layers, density), options);
   if (layers && record) return recorded(scene, density, PlanarRecordingHistory(scene, *layers, density), options);

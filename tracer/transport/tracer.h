@@ -73,7 +73,8 @@ bool takes_wavefront(const Scene& scene, const TraceOptions& options);
 /// Is this scene traced by the planar path? Throws Error if that was asked for and cannot be.
 bool takes_planar_path(const Scene& scene, TracePath path);
 
-/// Traces all photons. Empty if it was stopped. Throws Error if photons were lost or a sum is no power
+/// Traces all photons. A density with dots is traced dot by dot, by the planar or the general path, and keeps no
+/// records. Empty if it was stopped. Throws Error if photons were lost or a sum is no power
 /// (trace_health.h), or if the planar path is asked for and the scene is no stack of parallel layers.
 std::optional<TraceResult> trace(const Scene& scene, const DensityField& density, const TraceOptions& options);
 

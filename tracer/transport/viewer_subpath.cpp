@@ -32,7 +32,7 @@ struct ViewerSubpath::Walk {
   int level = 0;                  ///< met last
   Vec2 place = Vec2::Zero();
   PlaceRange inner, outer;
-  std::vector<Vec2> crossings;
+  std::vector<PatternCrossing> crossings;  ///< places as `place`
 };
 
 void ViewerArrivals::clear() {
@@ -64,7 +64,8 @@ void ViewerSubpath::record(const Walk& walk, const View& view, ViewerArrivals& a
   arrival.outer = seen_from(walk.outer, walk.place);
   arrival.first_crossing = arrivals.crossings.size();
   arrival.crossings = walk.crossings.size();
-  for (const Vec2& crossing : walk.crossings) arrivals.crossings.push_back(crossing - walk.place);
+  for (const PatternCrossing& crossing : walk.crossings)
+    arrivals.crossings.push_back({crossing.place - walk.place, crossing.k});
   arrivals.lists[ViewerArrivals::list(walk.level, walk.importance.frame.k.z() > 0.0)].push_back(arrival);
 }
 
@@ -79,7 +80,7 @@ bool ViewerSubpath::pass(Walk& walk, std::size_t band, core::PhotonRng& rng) con
   const auto before = step_back(*surface.optics, to_local(surface, walk.importance), part, rng);
   if (!before) return false;
   walk.importance = to_world(surface, *before);
-  if (level.patterned) walk.crossings.push_back(walk.place);
+  if (level.patterned) walk.crossings.push_back({walk.place, walk.importance.frame.k});
   if (walk.importance.I < kLeastWeight) {
     if (rng.uniform() * kLeastWeight >= walk.importance.I) return false;
     walk.importance = walk.importance.scaled(kLeastWeight / walk.importance.I);

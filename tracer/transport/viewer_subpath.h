@@ -27,13 +27,19 @@ struct ViewerArrival {
   std::size_t first_crossing = 0, crossings = 0;  ///< passages of the patterned face beside its pattern
 };
 
+/// A passage of the patterned face beside its pattern.
+struct PatternCrossing {
+  core::Vec2 place;  ///< relative to the arrival
+  core::Vec3 k;      ///< along which the light comes to the face
+};
+
 /// What subpaths found: arrivals of each level, apart for light that leaves it downwards and upwards.
 struct ViewerArrivals {
   explicit ViewerArrivals(std::size_t levels) : lists(2 * levels) {}
   static std::size_t list(int level, bool upward) { return 2 * static_cast<std::size_t>(level) + (upward ? 1 : 0); }
 
   std::vector<std::vector<ViewerArrival>> lists;  ///< by `list`
-  std::vector<core::Vec2> crossings;              ///< places relative to the arrival
+  std::vector<PatternCrossing> crossings;
   void clear();
 };
 

@@ -28,6 +28,8 @@ std::string why_not(const Scene& scene) {
   if (!layout) return reason;
   if (!layout->plate()) return "it has no plate";
   if (scene.optics.size() > 1) return "its light has several wavelengths";
+  if (scene.spec.microstructure && scene.spec.microstructure->dots)
+    return "its pattern is traced dot by dot (backlight.microstructure.dots_file)";
   if (!PlanarPlate::of(scene, *layout, 0)) return "the plate scatters in its bulk, or its faces are no smooth planes";
   if (scene.spec.luminance.estimator == LuminanceEstimator::kNextEvent) {
     return "its luminance is not counted (receivers: estimator)";

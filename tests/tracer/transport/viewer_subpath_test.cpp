@@ -141,7 +141,7 @@ TEST(ViewerSubpath, TellsItsPassagesOfThePattern) {
   EXPECT_GT(direct, 150);
   for (const ViewerArrival& arrival : bottom) {
     ASSERT_GE(arrival.crossings, 1U);
-    const core::Vec2 last = arrivals.crossings[arrival.first_crossing + arrival.crossings - 1];
+    const core::Vec2 last = arrivals.crossings[arrival.first_crossing + arrival.crossings - 1].place;
     EXPECT_GT(last.x(), 0.0);  // on the way to the right
     EXPECT_LT(last.x(), arrival.display.x());
   }
