@@ -14,7 +14,7 @@
 #include "design/engine/state_file.h"
 #include "design/engine/stop_rule.h"
 #include "design/engine/traced_model.h"
-#include "tracer/scene/density_field.h"
+#include "tracer/scene/refined_density.h"
 
 namespace evenglow::app {
 namespace {
@@ -56,7 +56,7 @@ std::optional<Report> run_simulation(Run run, const RunContext& context) {
   const auto observation = make_model(scene, run, context)(density, run.trace.photons, 0);
   if (!observation) return std::nullopt;
   report.stop_reason = "single trace";
-  report.density = density.cells;
+  report.density = tracer::traced_density(scene.spec, density).cells;
   report.steps = {make_step_record(0, density, *observation, run.design)};
   report.start_luminance = observation->map.luminance;
   take_observation(scene, run.design, *observation, report);
@@ -87,7 +87,7 @@ std::optional<Report> run_design_job(Run run, const RunContext& context) {
   context.progress.begin(label(run, "final trace"));
   const auto observation = model(progress.best_density, run.trace.photons, design::kJudgingStep);
   if (!observation) return std::nullopt;
-  report.density = progress.best_density.cells;
+  report.density = tracer::traced_density(scene.spec, progress.best_density).cells;
   report.steps = progress.steps;
   report.start_luminance = progress.start_luminance;
   if (!progress.level_note.empty()) report.notes.push_back(progress.level_note);
@@ -95,6 +95,7 @@ std::optional<Report> run_design_job(Run run, const RunContext& context) {
   report.notes.insert(report.notes.end(), progress.limit_notes.begin(), progress.limit_notes.end());
   take_observation(scene, run.design, *observation, report);
   report.stop_reason = confirmed_reason(progress.stop_reason, report.final, run.design.stop_rms);
+  tell_color(run.design, report);
   if (report.stop_reason != progress.stop_reason) context.progress.line(label(run, report.stop_reason));
   finish_timing(watch, report);
   return report;

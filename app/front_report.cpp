@@ -1,5 +1,7 @@
 #include "app/front_report.h"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -20,6 +22,11 @@ design::Curve curve(const std::string& name, design::Ink ink) {
   result.name = name;
   result.ink = ink;
   return result;
+}
+
+std::string color_text(const FrontPoint& point) {
+  if (!point.color) return "-";
+  return design::measured(*point.color) + (point.breaks_color ? " BREAKS THE BOUND" : "");
 }
 
 design::CurvePlot front_plot(const std::vector<FrontPoint>& points) {
@@ -65,7 +72,8 @@ design::CurvePlot level_plot(const std::vector<FrontPoint>& points, bool rms) {
 std::string front_csv(const std::vector<FrontPoint>& points) {
   std::string text =
       "point,level,mean_density,rms_corrected,rms_corrected_se,rms_95_low,rms_95_high,efficiency,efficiency_se,"
-      "luminance_mean_cd_m2,luminance_mean_se,on_front,held_low,held_high,steps,photons,cpu_s,stop_reason\n";
+      "luminance_mean_cd_m2,luminance_mean_se,color_rms,color_rms_se,breaks_color,on_front,held_low,held_high,steps,"
+      "photons,cpu_s,stop_reason\n";
   const std::vector<bool> kept = on_front(points);
   for (std::size_t i = 0; i < points.size(); ++i) {
     const FrontPoint& p = points[i];
@@ -75,8 +83,9 @@ std::string front_csv(const std::vector<FrontPoint>& points) {
                                p.judged.luminance_mean.value, p.judged.luminance_mean.se}) {
       text += ',' + design::shortest(value);
     }
-    text += fmt::format(",{},{},{},{},{},{},{}\n", kept[i] ? 1 : 0, p.held_low, p.held_high, p.steps, p.photons,
-                        design::shortest(p.cpu_s), design::csv_field(p.stop_reason));
+    text += p.color ? ',' + design::shortest(p.color->value) + ',' + design::shortest(p.color->se) : ",,";
+    text += fmt::format(",{},{},{},{},{},{},{},{}\n", p.breaks_color ? 1 : 0, kept[i] ? 1 : 0, p.held_low, p.held_high,
+                        p.steps, p.photons, design::shortest(p.cpu_s), design::csv_field(p.stop_reason));
   }
   return text;
 }
@@ -98,6 +107,9 @@ Json front_json(const design::Study& study, const Run& run, const std::vector<Fr
                     {"luminance_mean_se", p.judged.luminance_mean.se},
                     {"uniformity_9", p.judged.uniformity_9},
                     {"uniformity_13", p.judged.uniformity_13},
+                    {"color_rms", p.color ? Json(p.color->value) : Json(nullptr)},
+                    {"color_rms_se", p.color ? Json(p.color->se) : Json(nullptr)},
+                    {"breaks_color", p.breaks_color},
                     {"on_front", static_cast<bool>(kept[i])},
                     {"held_low", p.held_low},
                     {"held_high", p.held_high},
@@ -129,6 +141,9 @@ design::Study front_study(const Run& run, const std::string& command, const std:
       "no other one beats: by more than two standard errors in one figure, and not worse by as much in the other.";
   study.columns = {"point", "level",      "RMS (%)", "95 %",    "efficiency (%)", "luminance (cd/m\u00b2)",
                    "front", "cells held", "steps",   "photons", "CPU s"};
+  const bool colored =
+      std::any_of(points.begin(), points.end(), [](const FrontPoint& p) { return p.color.has_value(); });
+  if (colored) study.columns.push_back("color RMS (u', v')");
   const std::vector<bool> kept = on_front(points);
   for (std::size_t i = 0; i < points.size(); ++i) {
     const FrontPoint& p = points[i];
@@ -138,6 +153,7 @@ design::Study front_study(const Run& run, const std::string& command, const std:
          design::measured(p.judged.efficiency, 100.0), design::measured(p.judged.luminance_mean), kept[i] ? "yes" : "",
          fmt::format("{} low, {} high", p.held_low, p.held_high), std::to_string(p.steps),
          fmt::format("{:.3g}", static_cast<double>(p.photons)), fmt::format("{:.3g}", p.cpu_s)});
+    if (colored) study.rows.back().push_back(color_text(p));
     study.densities.push_back({fmt::format("Level {:.4f}", p.level),
                                fmt::format("RMS {} %, efficiency {} %", design::measured(p.judged.rms_corrected, 100.0),
                                            design::measured(p.judged.efficiency, 100.0)),

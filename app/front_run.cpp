@@ -12,6 +12,7 @@
 #include "design/engine/design_start.h"
 #include "design/engine/state_file.h"
 #include "design/engine/traced_model.h"
+#include "tracer/scene/refined_density.h"
 
 namespace evenglow::app {
 namespace {
@@ -25,9 +26,12 @@ struct SearchLog {
 };
 
 std::string point_note(const design::FrontPoint& point) {
-  return fmt::format("Level {:.4f}: RMS {:.2f} +- {:.2f} %, efficiency {:.2f} +- {:.2f} %, {} steps.", point.level,
+  const std::string color = point.color ? fmt::format(", color RMS {:.5f} +- {:.5f}{}", point.color->value,
+                                                      point.color->se, point.breaks_color ? " (above its bound)" : "")
+                                        : "";
+  return fmt::format("Level {:.4f}: RMS {:.2f} +- {:.2f} %, efficiency {:.2f} +- {:.2f} %{}, {} steps.", point.level,
                      100.0 * point.judged.rms_corrected.value, 100.0 * point.judged.rms_corrected.se,
-                     100.0 * point.judged.efficiency.value, 100.0 * point.judged.efficiency.se, point.steps);
+                     100.0 * point.judged.efficiency.value, 100.0 * point.judged.efficiency.se, color, point.steps);
 }
 
 }  // namespace
@@ -116,17 +120,19 @@ std::optional<Report> run_efficiency_job(Run run, const RunContext& context) {
   context.progress.begin(label(run, "final trace"));
   const auto observation = model({best.density}, run.trace.photons, design::kJudgingStep - 1000U);
   if (!observation) return std::nullopt;
+  const std::string color = spec.goal.color ? fmt::format(" and a color RMS of {:.5g}", *spec.goal.color) : "";
   report.stop_reason =
       search->feasible
-          ? fmt::format("max_efficiency: the best of {} levels whose RMS keeps {:.2f} %", search->points.size(),
-                        100.0 * spec.goal.rms)
-          : fmt::format("max_efficiency: no level of {} keeps an RMS of {:.2f} %; the most even one is shown",
-                        search->points.size(), 100.0 * spec.goal.rms);
-  report.density = best.density;
+          ? fmt::format("max_efficiency: the best of {} levels whose RMS keeps {:.2f} %{}", search->points.size(),
+                        100.0 * spec.goal.rms, color)
+          : fmt::format("max_efficiency: no level of {} keeps an RMS of {:.2f} %{}; the most even one is shown",
+                        search->points.size(), 100.0 * spec.goal.rms, color);
+  report.density = tracer::traced_density(scene.spec, {best.density}).cells;
   report.steps = log.steps[search->best];
   report.start_luminance = log.start_luminance[search->best];
   for (const design::FrontPoint& point : search->points) report.notes.push_back(point_note(point));
   take_observation(scene, spec, *observation, report);
+  tell_color(spec, report);
   finish_timing(watch, report);
   for (int i = 1; i < static_cast<int>(search->points.size()); ++i)
     design::remove_state(point_checkpoint(context.checkpoint, i));

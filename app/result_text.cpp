@@ -31,6 +31,11 @@ void print_result(const design::Report& report, const std::filesystem::path& dir
     fmt::print("  RMS non-uniformity   {:.2f} +- {:.2f} % (noise taken off; {:.2f} % with it)\n",
                100.0 * f.rms_corrected.value, 100.0 * f.rms_corrected.se, 100.0 * f.rms);
   }
+  for (const design::ViewJudgment& view : f.views) {
+    fmt::print("  seen from {:>10}  RMS {:.2f} +- {:.2f} %, {:.1f} +- {:.1f} cd/m2 (weight {:.3g})\n",
+               fmt::format("{:.3g}/{:.3g}", view.polar_deg, view.azimuth_deg), 100.0 * view.rms_corrected.value,
+               100.0 * view.rms_corrected.se, view.luminance_mean.value, view.luminance_mean.se, view.share);
+  }
   fmt::print("  mean luminance       {:.1f} +- {:.1f} cd/m2\n", f.luminance_mean.value, f.luminance_mean.se);
   fmt::print("  efficiency           {:.2f} +- {:.2f} %\n", 100.0 * f.efficiency.value, 100.0 * f.efficiency.se);
   if (!why_none.empty()) {

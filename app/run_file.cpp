@@ -46,6 +46,20 @@ void check_path(const ConfigDocument& document, const Run& run) {
   document.finish();
 }
 
+/// What only the whole run tells of the design.
+void check_design(const core::ConfigNode& root, const Run& run) {
+  const core::ConfigNode design = root.map("design", "how it is designed");
+  if (run.design.goal.color && !run.backlight.color) {
+    design.map("subject_to", "bounds of the design")
+        .fault_at("color", "needs a receiver of kind color in backlight.receivers, got none");
+  }
+  const bool derived = run.design.updater == "gradient" || run.design.updater == "coarse_newton";
+  if (derived && run.backlight.microstructure && run.backlight.microstructure->subcells > 1) {
+    design.fault_at("updater", fmt::format("must be another one where the density is bilinear within a cell, got {}",
+                                           run.design.updater));
+  }
+}
+
 Run read(ConfigDocument& document, const std::vector<ConfigDocument::Override>& overrides, Purpose purpose) {
   for (const auto& change : overrides) document.apply(change);
   Run run = read_keys(document, purpose);
@@ -78,6 +92,7 @@ Run read_keys(const ConfigDocument& document, Purpose purpose) {
   }
   run.trace = tracer::read_trace(root.map("trace", "how it is traced"));
   run.design = design::read_design(root.map("design", "how it is designed"));
+  check_design(root, run);
   run.outer = design::read_outer(root);
   const std::string shape = run.backlight.microstructure ? run.backlight.microstructure->shape.kind : "";
   run.dots =

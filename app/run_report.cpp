@@ -11,6 +11,7 @@
 #include "core/parallel/ranks.h"
 #include "design/engine/design_loop.h"
 #include "design/engine/traced_metrology.h"
+#include "design/problem/color_bound.h"
 #include "design/problem/target.h"
 #include "design/report/processor.h"
 #include "design/report/section_view.h"
@@ -28,6 +29,14 @@ std::string estimator_text(const tracer::LuminanceReceiverSpec& luminance) {
         "a cone of {:.3g} degrees (half angle) about the direction of polar angle {:.4g} and azimuth "
         "{:.4g} degrees",
         luminance.cone / core::kRadPerDeg, luminance.polar / core::kRadPerDeg, luminance.azimuth / core::kRadPerDeg);
+  }
+  if (!luminance.views.empty()) {
+    cone = fmt::format("cones of {:.3g} degrees (half angle), the weighted sum of the directions",
+                       luminance.cone / core::kRadPerDeg);
+    for (const tracer::ViewDirection& view : luminance.views) {
+      cone += fmt::format("{} {:.3g} x ({:.4g}, {:.4g}) degrees", &view == &luminance.views.front() ? "" : ",",
+                          view.share, view.polar / core::kRadPerDeg, view.azimuth / core::kRadPerDeg);
+    }
   }
   if (luminance.pupil) {
     const tracer::PupilSpec& pupil = *luminance.pupil;
@@ -76,6 +85,14 @@ Report describe_run(const Run& run, const RunContext& context) {
 void take_observation(const tracer::Scene& scene, const design::DesignSpec& spec,
                       const design::Observation& observation, Report& report) {
   report.final = make_judgment(observation, spec);
+  for (const design::ViewJudgment& view : report.final.views) {
+    report.notes.push_back(
+        fmt::format("Seen from the polar angle {:.4g} and the azimuth {:.4g} degrees alone (weight {:.3g}): RMS {:.2f} "
+                    "+- {:.2f} %, "
+                    "mean luminance {:.1f} +- {:.1f} cd/m2.",
+                    view.polar_deg, view.azimuth_deg, view.share, 100.0 * view.rms_corrected.value,
+                    100.0 * view.rms_corrected.se, view.luminance_mean.value, view.luminance_mean.se));
+  }
   report.luminance = observation.map.luminance;
   report.luminance_se = observation.map.standard_error;
   const design::Target target(spec, observation.map.luminance.grid);
@@ -88,6 +105,13 @@ void take_observation(const tracer::Scene& scene, const design::DesignSpec& spec
   SectionOptions section;
   section.key = {report.seed, 0, 0};
   report.section_svg = design::section_svg(section_view(scene, {report.density}, section));
+}
+
+void tell_color(const design::DesignSpec& spec, Report& report) {
+  if (!spec.goal.color || !report.color) return;
+  const core::Estimate& color = report.color->rms_corrected;
+  report.notes.push_back(design::color_verdict(color, *spec.goal.color));
+  if (color.value > *spec.goal.color + 2.0 * color.se) report.stop_reason += "; the bound of the color is not kept";
 }
 
 void finish_timing(const Stopwatch& watch, Report& report) {

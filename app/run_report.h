@@ -29,6 +29,10 @@ design::Report describe_run(const Run& run, const RunContext& context);
 void take_observation(const tracer::Scene& scene, const design::DesignSpec& spec,
                       const design::Observation& observation, design::Report& report);
 
+/// Of a design with a bound of the color: what the final trace says of it, as a note, and in the stop reason where it
+/// is broken.
+void tell_color(const design::DesignSpec& spec, design::Report& report);
+
 void finish_timing(const Stopwatch& watch, design::Report& report);
 
 }  // namespace evenglow::app

@@ -12,6 +12,7 @@
 #include "design/report/csv_writer.h"
 #include "design/report/number_format.h"
 #include "design/report/output_file.h"
+#include "tracer/scene/refined_density.h"
 
 namespace evenglow::app {
 namespace {
@@ -57,7 +58,7 @@ std::optional<Designed> design_at(const Session& session, const design::OuterSpe
   if (!judging) return std::nullopt;
   const design::FinalJudgment judged = make_judgment(*judging, run.design);
   Designed designed{{values, judged.efficiency, judged.rms_corrected, judging->photons, judging->cpu_s},
-                    state.best_density.cells};
+                    tracer::traced_density(scene.spec, state.best_density).cells};
   for (const design::StepRecord& step : state.steps) {
     designed.result.photons += step.photons + step.level_photons;
     designed.result.cpu_s += step.cpu_s;

@@ -7,6 +7,7 @@
 #include "app/output_directory.h"
 #include "design/engine/design_start.h"
 #include "design/engine/level_front.h"
+#include "tracer/scene/refined_density.h"
 
 namespace evenglow::app {
 
@@ -26,11 +27,12 @@ int pareto_command(const Session& session) {
   const design::ForwardModel model = make_model(scene, run, context);
   const auto levels = run.design.pareto_levels.empty() ? front_levels(run.design, start) : run.design.pareto_levels;
   progress.begin("point 1, step 0");
-  const auto points = design_front({model, run.design, limits, start}, levels, hooks);
+  auto points = design_front({model, run.design, limits, start}, levels, hooks);
   if (!points) {
     progress.line("interrupted: --resume goes on from the last whole step");
     return kInterrupted;
   }
+  for (design::FrontPoint& point : *points) point.density = tracer::traced_density(scene.spec, {point.density}).cells;
   const design::Study study = front_study(run, session.program_arguments, *points);
   write_results(directory, [&] {
     clear_results(directory);

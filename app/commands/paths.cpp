@@ -5,6 +5,7 @@
 #include "app/run_file.h"
 #include "app/section_paths.h"
 #include "design/report/output_file.h"
+#include "tracer/scene/refined_density.h"
 
 namespace evenglow::app {
 
@@ -21,7 +22,7 @@ int paths_command(const Session& session) {
     if (section.to <= section.from)
       throw core::ConfigError(core::Fault{"--window", 0, 0, "", "must be two rising positions along x (mm)"});
   }
-  const tracer::DensityField density = tracer::initial_density(run.backlight);
+  const tracer::DensityField density = tracer::traced_density(run.backlight, tracer::initial_density(run.backlight));
   const tracer::Scene scene = tracer::compile_scene(std::move(run.backlight));
   const auto picture =
       options.out.empty() ? std::filesystem::path("out") / (file.stem().string() + "_paths.svg") : options.out;

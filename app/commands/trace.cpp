@@ -9,7 +9,7 @@
 #include "core/config/message_text.h"
 #include "design/engine/checkpoint.h"
 #include "design/engine/state_file.h"
-#include "tracer/scene/density_field.h"
+#include "tracer/scene/refined_density.h"
 #include "tracer/scene/scene.h"
 #include "tracer/transport/photon_path.h"
 
@@ -56,7 +56,7 @@ tracer::DensityField density_of(const Run& run, const Options& options) {
 int trace_command(const Session& session) {
   const Options& options = session.options;
   Run run = read_run(options.files.front(), options);
-  const tracer::DensityField density = density_of(run, options);
+  const tracer::DensityField density = tracer::traced_density(run.backlight, density_of(run, options));
   const std::uint64_t seed = run.trace.seed;
   const tracer::Scene scene = tracer::compile_scene(std::move(run.backlight));
   const core::RandomKey key{seed, options.stream, options.step};

@@ -6,6 +6,7 @@
 
 #include "design/engine/stop_rule.h"
 #include "design/engine/traced_model.h"
+#include "design/problem/color_bound.h"
 #include "design/problem/density_limits.h"
 
 namespace evenglow::design {
@@ -59,6 +60,8 @@ std::optional<FrontPoint> design_point(const FrontJob& job, int number, double l
   FrontPoint point;
   point.level = level;
   point.judged = make_judgment(*judging, spec);
+  point.color = color_rms(*judging);
+  point.breaks_color = !keeps_color(point.color, job.spec.goal.color);
   point.density = progress->best_density.cells;
   point.luminance = judging->map.luminance;
   point.stop_reason = confirmed_reason(progress->stop_reason, point.judged, spec.stop_rms);
@@ -75,8 +78,12 @@ std::optional<FrontPoint> design_point(const FrontJob& job, int number, double l
   return point;
 }
 
-bool keeps(const FrontPoint& point, double rms) {
+bool keeps_rms(const FrontPoint& point, double rms) {
   return point.judged.rms_corrected.value <= rms + point.judged.rms_corrected.se;
+}
+
+bool keeps(const FrontPoint& point, double rms) {
+  return keeps_rms(point, rms) && !point.breaks_color;
 }
 
 /// A search for the highest efficiency, point by point.
@@ -93,6 +100,10 @@ class Climb {
   }
   const FrontPoint& last() const { return found_.points.back(); }
   bool last_keeps() const { return keeps(last(), job_.spec.goal.rms); }
+  /// Is the color all that the first point lacks?
+  bool only_color_is_broken() const {
+    return found_.points.front().breaks_color && keeps_rms(found_.points.front(), job_.spec.goal.rms);
+  }
   bool full() const { return found_.points.size() >= kMostPoints; }
 
   EfficiencySearch take() {
@@ -133,18 +144,30 @@ struct Bracket {
   double broken = 0.0;  ///< lowest level known to break it or to gain nothing; 0: none
 };
 
+/// On by `factor` until a point keeps the bounds or the room ends. False: interrupted.
+bool go(Climb& climb, double level, double factor, double low, double high, Bracket& bracket) {
+  bool kept = false;
+  while (!climb.full() && !kept && (factor < 1.0 ? level > low : level < high)) {
+    bracket.broken = level;
+    level = std::clamp(level * factor, low, high);
+    if (!climb.add(level)) return false;
+    kept = climb.last_keeps();
+  }
+  bracket.kept = kept ? level : 0.0;
+  return true;
+}
+
 /// Up or down from the first point until the answer changes. Empty: interrupted.
 std::optional<Bracket> find_bracket(Climb& climb, double level, double low, double high) {
   if (!climb.add(level)) return std::nullopt;
   Bracket bracket;
   if (!climb.last_keeps()) {
-    bracket.broken = level;
-    while (!climb.full() && level > low && !climb.last_keeps()) {
-      bracket.broken = level;
-      level = std::max(low, level / kFactor);
-      if (!climb.add(level)) return std::nullopt;
-    }
-    bracket.kept = climb.last_keeps() ? level : 0.0;
+    const double first = level;
+    if (!go(climb, level, 1.0 / kFactor, low, high, bracket)) return std::nullopt;
+    // How the color follows the level is not known beforehand.
+    level = first;
+    if (bracket.kept == 0.0 && climb.only_color_is_broken() && !go(climb, level, kFactor, low, high, bracket))
+      return std::nullopt;
     return bracket;
   }
   core::Estimate before;

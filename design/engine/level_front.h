@@ -44,7 +44,9 @@ struct EfficiencySearch {
 
 /// The goal max_efficiency: the level goes up by factors of 1.5 from the start as long as the RMS keeps its bound
 /// (within one standard error) and the efficiency gains, down if it does not; then the last interval is halved twice in
-/// ln level. The efficiency alone hardly depends on the shape, so one dimension is all there is. Empty: interrupted.
+/// ln level. With a bound of the color a point keeps its bounds if it keeps that as well; where the first one breaks
+/// the color alone and nothing below keeps it, the search goes up. The efficiency alone hardly depends on the shape, so
+/// one dimension is all there is. Empty: interrupted.
 std::optional<EfficiencySearch> design_most_efficient(const FrontJob& job, double first_level, const FrontHooks& hooks);
 
 }  // namespace evenglow::design

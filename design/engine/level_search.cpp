@@ -7,7 +7,9 @@
 
 #include <fmt/core.h>
 
+#include "design/engine/level_color.h"
 #include "design/engine/level_fit.h"
+#include "design/problem/color_bound.h"
 #include "design/problem/density_limits.h"
 
 namespace evenglow::design {
@@ -20,6 +22,7 @@ constexpr double kHeld = 1.001;     // a density below this, over its lower limi
 constexpr double kTooNarrow = 1.1;  // factor between highest and lowest level
 constexpr double kShare = 0.98;     // of the best efficiency
 constexpr double kWantedError = 0.05;
+constexpr double kWantedColorError = 0.1;  // over its bound
 constexpr int kRounds = 3;
 constexpr double kGrowth = 4.0;
 constexpr std::uint32_t kFirstStep = 0x80000000U;  // random numbers of their own, the same for all levels
@@ -78,6 +81,7 @@ class Search {
   bool trace(std::uint64_t photons, std::uint32_t step) {
     std::vector<Observation> seen;
     data_.levels.clear();
+    colors_.clear();
     for (int i = 0; i < kLevels; ++i) {
       const double factor = room_.low * std::pow(room_.high / room_.low, static_cast<double>(i) / (kLevels - 1));
       const tracer::DensityField candidate = scaled(density_, factor, spec_);
@@ -87,6 +91,9 @@ class Search {
       spent_.photons += observation->photons;
       spent_.cpu_s += observation->cpu_s;
       spent_.wall_s += observation->wall_s;
+      if (spec_.goal.color) {
+        if (const auto color = color_rms(*observation)) colors_.push_back(*color);
+      }
       seen.push_back(std::move(*observation));
     }
     data_.efficiency.resize(kLevels);
@@ -96,14 +103,24 @@ class Search {
     return true;
   }
 
-  double error() const { return knee_.log_se; }
+  /// Are the errors of the knee and of the colors small enough?
+  bool sure() const {
+    const auto wide = [&](const core::Estimate& color) { return color.se > kWantedColorError * *spec_.goal.color; };
+    return knee_.log_se <= kWantedError && std::none_of(colors_.begin(), colors_.end(), wide);
+  }
 
   LevelChoice choice() const {
     LevelChoice choice = spent_;
     const double low = data_.levels.front();
     const double high = data_.levels.back();
     const bool bounded = spec_.goal.kind == "min_rms";
-    const double level = bounded ? level_of(knee_.curve, spec_.goal.efficiency, low, high) : knee_.level;
+    double level = bounded ? level_of(knee_.curve, spec_.goal.efficiency, low, high) : knee_.level;
+    const double wanted = level;
+    ColorLevel colored;
+    if (spec_.goal.color && colors_.size() == data_.levels.size()) {
+      colored = level_for_color({data_.levels, colors_, *spec_.goal.color, bounded ? wanted : low}, wanted);
+      level = colored.level;
+    }
     choice.factor = level / density_.cells.mean();
     choice.log_se = knee_.log_se;
     const double step = 1.02;
@@ -113,12 +130,13 @@ class Search {
       choice.note += fmt::format(" {:.3f}: {:.2f} +- {:.2f} %,", data_.levels[static_cast<std::size_t>(i)],
                                  100.0 * data_.efficiency[i], 100.0 * std::sqrt(data_.covariance(i, i)));
     }
-    choice.note += bounded ? fmt::format(" chosen {:.4f}, the lowest that reaches {:.1f} % on the fitted curve.", level,
-                                         100.0 * spec_.goal.efficiency)
+    choice.note += bounded ? fmt::format(" chosen {:.4f}, the lowest that reaches {:.1f} % on the fitted curve.",
+                                         wanted, 100.0 * spec_.goal.efficiency)
                            : fmt::format(
                                  " chosen {:.4f} +- {:.4f}, the lowest within 2 % of the best of the fitted "
                                  "curve.",
-                                 level, level * knee_.log_se);
+                                 wanted, wanted * knee_.log_se);
+    choice.note += colored.note;
     return choice;
   }
 
@@ -128,6 +146,7 @@ class Search {
   const DesignSpec& spec_;
   Factors room_;
   LevelData data_;
+  std::vector<core::Estimate> colors_;  ///< of each level, where the color is bounded
   Knee knee_;
   LevelChoice spent_;
 };
@@ -147,7 +166,7 @@ std::optional<LevelChoice> choose_level(const ForwardModel& model, const tracer:
   for (int round = 0; round < kRounds; ++round) {
     if (!search.trace(photons, kFirstStep + static_cast<std::uint32_t>(round))) return std::nullopt;
     const auto more = static_cast<std::uint64_t>(kGrowth * static_cast<double>(photons));
-    if (search.error() <= kWantedError || more > most) break;
+    if (search.sure() || more > most) break;
     photons = more;
   }
   return search.choice();

@@ -49,6 +49,15 @@ FinalJudgment make_judgment(const Observation& observation, const DesignSpec& sp
     judgment.luminance_center_se = errors.center * observation.luminance_unit;
   }
   judgment.efficiency = observation.efficiency;
+  for (const ViewedLuminance& view : observation.views) {
+    const core::Estimate seen = mean_of_cells(view.luminance);
+    judgment.views.push_back(
+        {view.polar_deg,
+         view.azimuth_deg,
+         view.share,
+         evenness(Target(spec, observation.map.luminance.grid).judged(view.luminance)).rms_corrected,
+         {seen.value * observation.luminance_unit, seen.se * observation.luminance_unit}});
+  }
   return judgment;
 }
 

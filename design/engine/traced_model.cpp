@@ -11,6 +11,8 @@
 #include "core/base/units.h"
 #include "core/montecarlo/batches.h"
 #include "design/problem/half_angles.h"
+#include "tracer/receivers/view_sums.h"
+#include "tracer/scene/refined_density.h"
 
 namespace evenglow::design {
 namespace {
@@ -94,6 +96,23 @@ void add_angular(const tracer::Scene& scene, const tracer::TraceResult& result, 
   }
 }
 
+/// What counts of several directions of view, and each of them.
+void add_luminance(const tracer::Scene& scene, const tracer::TraceResult& result, Observation& observation) {
+  const std::size_t cells = scene.luminance.cells().size();
+  observation.luminance = tracer::sum_of_directions(result.luminance, cells);
+  observation.map = make_luminance_map(scene.luminance, observation.luminance, result.flux, result.photons);
+  observation.luminance_unit = luminance_per_score(scene.luminance, result.flux, result.photons);
+  if (result.color_x.bins() > 0) {
+    observation.color_x = tracer::sum_of_directions(result.color_x, cells);
+    observation.color_z = tracer::sum_of_directions(result.color_z, cells);
+  }
+  const std::vector<tracer::ViewDirection>& views = scene.spec.luminance.views;
+  for (std::size_t i = 0; i < views.size(); ++i) {
+    observation.views.push_back({views[i].polar / core::kRadPerDeg, views[i].azimuth / core::kRadPerDeg, views[i].share,
+                                 tracer::one_direction(result.luminance, cells, i, views[i].share)});
+  }
+}
+
 double cpu_of_all(const TracedModelOptions& options) {
   return core::process_cpu_seconds() + (options.ranks != nullptr ? options.ranks->others_cpu_s() : 0.0);
 }
@@ -114,7 +133,7 @@ std::optional<Observation> observe(const tracer::Scene& scene, const TracedModel
   run.record_bytes = record_bytes;
   run.ranks = options.ranks;
   if (options.progress) run.progress = [&](std::uint64_t done) { options.progress(done, run.photons); };
-  const auto result = trace(scene, density, run);
+  const auto result = trace(scene, traced_density(scene.spec, density), run);
   if (!result) return std::nullopt;
   check_energy(*result, step);
   Observation observation = make_observation(scene, *result);
@@ -129,14 +148,10 @@ std::optional<Observation> observe(const tracer::Scene& scene, const TracedModel
 Observation make_observation(const tracer::Scene& scene, const tracer::TraceResult& result) {
   Observation observation;
   observation.photons = result.photons;
-  observation.map = make_luminance_map(scene.luminance, result.luminance, result.flux, result.photons);
-  observation.luminance = result.luminance;
-  observation.luminance_unit = luminance_per_score(scene.luminance, result.flux, result.photons);
+  add_luminance(scene, result, observation);
   observation.energy = energy_account(scene, result);
   observation.efficiency = observation.energy.escaped[static_cast<std::size_t>(tracer::Side::kTop)].share;
   observation.efficiency_batches = efficiency_batches(result);
-  observation.color_x = result.color_x;
-  observation.color_z = result.color_z;
   if (scene.angular) add_angular(scene, result, observation);
   return observation;
 }

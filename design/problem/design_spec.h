@@ -25,9 +25,10 @@ struct StartSpec {
 
 /// What is weighed against what.
 struct GoalSpec {
-  std::string kind = "even";  ///< even, max_efficiency, min_rms
-  double rms = 0.02;          ///< of max_efficiency: not to be passed, noise-corrected
-  double efficiency = 0.5;    ///< of min_rms: not to be fallen short of
+  std::string kind = "even";    ///< even, max_efficiency, min_rms
+  double rms = 0.02;            ///< of max_efficiency: not to be passed, noise-corrected
+  double efficiency = 0.5;      ///< of min_rms: not to be fallen short of
+  std::optional<double> color;  ///< of any kind: RMS distance of the cells' colors in (u', v') not to be passed
 };
 
 /// The updater `spline`.

@@ -17,12 +17,20 @@ class ArrivalRecords;
 
 namespace evenglow::design {
 
+/// The display as one of several directions of view shows it.
+struct ViewedLuminance {
+  double polar_deg = 0.0, azimuth_deg = 0.0;
+  double share = 0.0;     ///< of what counts
+  core::Tally luminance;  ///< as `Observation::luminance`
+};
+
 /// What one trace of a backlight shows.
 struct Observation {
   std::uint64_t photons = 0;
   tracer::LuminanceMap map;                ///< cd/m2, active area
   core::Tally luminance;                   ///< the batches that the map was made of, any unit proportional to cd/m2
   double luminance_unit = 1.0;             ///< cd/m2 for 1 of `luminance`
+  std::vector<ViewedLuminance> views;      ///< of several directions of view, whose sum `luminance` is; else empty
   core::Estimate efficiency;               ///< share of the source flux that leaves the top
   std::vector<double> efficiency_batches;  ///< the same of each batch, for errors of differences; may be empty
   EnergyAccount energy;

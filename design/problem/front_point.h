@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,8 @@ namespace evenglow::design {
 struct FrontPoint {
   double level = 0.0;  ///< mean density that was asked for
   FinalJudgment judged;
+  std::optional<core::Estimate> color;  ///< RMS in (u', v'), if there is a color receiver
+  bool breaks_color = false;            ///< it passes the bound of the run file by more than its error
   core::CellField density;
   core::CellField luminance;  ///< cd/m2, of the judging trace
   std::string stop_reason;

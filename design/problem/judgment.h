@@ -31,6 +31,14 @@ struct StepRecord {
   std::uint64_t level_photons = 0;  ///< spent after this step on the search of the level (their time is in cpu_s)
 };
 
+/// How even the display is in one of several directions of view.
+struct ViewJudgment {
+  double polar_deg = 0.0, azimuth_deg = 0.0;
+  double share = 0.0;  ///< of what counts
+  core::Estimate rms_corrected;
+  core::Estimate luminance_mean;  ///< cd/m2
+};
+
 /// The judgment of the finished design, from a trace with fresh random numbers. Without light on the display there is
 /// no evenness: RMS and uniformities are not a number.
 struct FinalJudgment {
@@ -42,7 +50,8 @@ struct FinalJudgment {
   core::Estimate luminance_mean;  ///< cd/m2
   double luminance_center = 0.0;  ///< cd/m2
   core::Estimate efficiency;
-  double rms_low = 0.0;  ///< 95 % confidence interval of the RMS without noise
+  std::vector<ViewJudgment> views{};  ///< of several directions of view; else empty
+  double rms_low = 0.0;             ///< 95 % confidence interval of the RMS without noise
   double rms_high = 0.0;
   /// Standard errors of the spots' figures (`spot_errors`); not a number where they are not known.
   double uniformity_9_se = std::numeric_limits<double>::quiet_NaN();

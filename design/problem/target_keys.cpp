@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include <fmt/core.h>
+
 #include "tracer/scene/density_file.h"
 
 namespace evenglow::design {
@@ -94,18 +96,20 @@ GoalSpec read_goal(const ConfigNode& design) {
                              "whose RMS keeps a bound; min_rms: the most even design whose efficiency keeps a bound",
                              {"even", "max_efficiency", "min_rms"},
                              std::string(spec.kind)});
-  const bool bounded = spec.kind != "even";
-  if (!bounded && design.has("subject_to"))
-    design.fault_at("subject_to", "belongs to the goals max_efficiency and min_rms, got it with goal even");
-  const ConfigNode node = design.map("subject_to", "the bound of the goal");
-  if (!bounded) {
-    node.mark_read();
-    return spec;
-  }
+  const ConfigNode node = design.map("subject_to", "bounds of the design");
+  spec.color = node.optional_number({"color",
+                                     "RMS distance of the colors of the cells from their mean in (u', v'), noise taken "
+                                     "off, that must not be passed; needs a receiver of kind color",
+                                     Range{0, 1, true, false}});
   if (spec.kind == "max_efficiency") {
     spec.rms = node.number({"rms", "noise-corrected RMS that must not be passed", Range{0, 1, true, false}});
-  } else {
+  } else if (spec.kind == "min_rms") {
     spec.efficiency = node.number({"efficiency", "share of the flux that must leave the top", Range{0, 1, true, true}});
+  }
+  for (const auto& [key, kind] : {std::pair{"rms", "max_efficiency"}, std::pair{"efficiency", "min_rms"}}) {
+    if (spec.kind == kind || !node.has(key)) continue;
+    node.fault_at(key, fmt::format("belongs to the goal {}, got it with goal {}", kind, spec.kind));
+    node.optional_number({key, "", Range{0, 1, true, true}});
   }
   return spec;
 }

@@ -35,9 +35,7 @@ Json half_angles_json(const std::optional<HalfAngles>& angles) {
   return object;
 }
 
-}  // namespace
-
-nlohmann::ordered_json final_json(const FinalJudgment& f) {
+Json figures_json(const FinalJudgment& f) {
   return {{"photons", f.photons},
           {"rms", f.rms},
           {"rms_corrected", f.rms_corrected.value},
@@ -54,6 +52,19 @@ nlohmann::ordered_json final_json(const FinalJudgment& f) {
           {"uniformity_9_se", f.uniformity_9_se},
           {"uniformity_13_se", f.uniformity_13_se},
           {"luminance_centre_se", f.luminance_center_se}};
+}
+
+}  // namespace
+
+nlohmann::ordered_json final_json(const FinalJudgment& f) {
+  Json object = figures_json(f);
+  for (const ViewJudgment& view : f.views) {
+    Json entry{{"direction_deg", {view.polar_deg, view.azimuth_deg}}, {"weight", view.share}};
+    put(entry, "rms_corrected", view.rms_corrected);
+    put(entry, "luminance_mean_cd_m2", view.luminance_mean);
+    object["views"].push_back(std::move(entry));
+  }
+  return object;
 }
 
 Json color_json(const ColorJudgment& color) {

@@ -5,6 +5,7 @@
 
 #include "core/base/error.h"
 #include "design/problem/merit.h"
+#include "tracer/scene/refined_density.h"
 #include "tracer/transport/arrival_records.h"
 
 namespace evenglow::design {
@@ -30,6 +31,11 @@ core::Tally rest_of(const RecordedTrace& trace) {
   return rest;
 }
 
+/// The density on the cells that were traced: finer ones where it runs linearly within a cell.
+tracer::Reweighted at_density(const tracer::ArrivalRecords& records, const tracer::DensityField& density) {
+  return records.at(refined(density, records.density().cells.grid.nx / density.cells.grid.nx));
+}
+
 }  // namespace
 
 double worth_of(const RecordedTrace& trace, double effective_share) {
@@ -50,7 +56,7 @@ ReusedView ReusedHistories::at(const tracer::DensityField& density) const {
   double worth = 0.0;
   for (std::size_t k = 0; k < traces_.size(); ++k) {
     const bool newest = k + 1 == traces_.size();
-    const tracer::Reweighted moved = traces_[k].records->at(density);
+    const tracer::Reweighted moved = at_density(*traces_[k].records, density);
     const double share = moved.effective_share;
     if (share < kWorthless && !newest) continue;
     const double per_photon = 1.0 / static_cast<double>(moved.photons);

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/light/cie_1931.h"
 #include "design/engine/traced_model.h"
 #include "tests/support/coupled_backlight.h"
 
@@ -102,6 +103,65 @@ TEST(LevelFront, MostEfficientGoesDownWhereTheStartBreaksTheBound) {
   ASSERT_TRUE(search);
   EXPECT_TRUE(search->feasible);
   EXPECT_LT(search->points[search->best].level, 0.24);
+}
+
+/// The color of a backlight whose left half gets more blue light than the right one, by a share that the level decides.
+ForwardModel with_color(const ForwardModel& plain, double (*blue)(double)) {
+  return [&plain, blue](const tracer::DensityField& density, std::uint64_t photons, std::uint32_t step) {
+    auto o = plain(density, photons, step);
+    if (!o) return o;
+    const core::CellGrid& grid = o->map.luminance.grid;
+    core::Tally x(grid.size()), y(grid.size()), z(grid.size());
+    for (std::size_t b = 0; b < o->luminance.batches(); ++b) {
+      std::vector<double> all[3];
+      for (std::size_t i = 0; i < grid.size(); ++i) {
+        const bool left = static_cast<int>(i) % grid.nx < grid.nx / 2;
+        const core::Vec3 xyz =
+            (left ? 1.0 + blue(density.cells.mean()) : 1.0) * core::color_matching(460.0) + core::color_matching(570.0);
+        for (int k = 0; k < 3; ++k) all[k].push_back(o->luminance.batch(b)[i] * xyz[k] / xyz.y());
+      }
+      x.add_batch(std::move(all[0]));
+      z.add_batch(std::move(all[2]));
+    }
+    o->color_x = std::move(x);
+    o->color_z = std::move(z);
+    return o;
+  };
+}
+
+TEST(LevelFront, MarksThePointsThatBreakTheBoundOfTheColor) {
+  Case c;
+  const ForwardModel model = with_color(c.model, [](double level) { return 0.01 / level; });
+  c.spec.goal.color = 0.006;
+  const auto points =
+      design_front({model, c.spec, c.limits, {core::CellField(c.backlight.grid, 0.05)}}, {0.03, 0.3}, {});
+  ASSERT_TRUE(points);
+  EXPECT_GT((*points)[0].color->value, 0.01);
+  EXPECT_TRUE((*points)[0].breaks_color);
+  EXPECT_LT((*points)[1].color->value, 0.006);
+  EXPECT_FALSE((*points)[1].breaks_color);
+}
+
+TEST(LevelFront, MostEfficientKeepsTheBoundOfTheColorToEitherSide) {
+  Case c;
+  c.spec.goal.kind = "max_efficiency";
+  c.spec.goal.rms = c.spec.stop_rms = 0.015;
+  c.spec.goal.color = 0.006;
+  const auto search_of = [&](const ForwardModel& model) {
+    return *design_most_efficient({model, c.spec, c.limits, {core::CellField(c.backlight.grid, 0.05)}}, 0.05, {});
+  };
+  // Evener above: the search has to go up from a start that breaks the bound.
+  const EfficiencySearch up = search_of(with_color(c.model, [](double level) { return 0.005 / level; }));
+  EXPECT_TRUE(up.feasible);
+  EXPECT_FALSE(up.points[up.best].breaks_color);
+  EXPECT_GT(up.points[up.best].level, 0.06);
+  // Evener below.
+  const EfficiencySearch down = search_of(with_color(c.model, [](double level) { return 2.0 * level; }));
+  EXPECT_TRUE(down.feasible);
+  EXPECT_FALSE(down.points[down.best].breaks_color);
+  EXPECT_LT(down.points[down.best].level, 0.05);
+  const EfficiencySearch none = search_of(with_color(c.model, [](double) { return 0.5; }));
+  EXPECT_FALSE(none.feasible);
 }
 
 TEST(LevelFront, PointsOfTheFrontAreNotBeaten) {

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/light/cie_1931.h"
 #include "core/montecarlo/tally.h"
 
 namespace evenglow::design {
@@ -106,6 +107,49 @@ TEST(LevelSearch, FindsTheLevelOfAWantedEfficiency) {
   spec.goal.kind = "min_rms";
   spec.goal.efficiency = 0.4;
   EXPECT_NEAR(chosen(saturating(0.1), 0.1, spec), -0.1 * std::log1p(-0.4 / 0.7), 0.001);
+}
+
+/// With color: half of the cells have more blue light than the others, by the share `blue(level)`.
+ForwardModel colored(double scale, double (*blue)(double)) {
+  return
+      [=, plain = saturating(scale)](const tracer::DensityField& density, std::uint64_t photons, std::uint32_t step) {
+        auto o = plain(density, photons, step);
+        const core::CellGrid grid = core::CellGrid::over(4, 2, 0, 0, 4, 2);
+        o->map = {{grid, 1.0}, {grid, 0.0}};
+        o->luminance = o->color_x = o->color_z = core::Tally(8);
+        for (int b = 0; b < 20; ++b) {
+          std::vector<double> x, y, z;
+          for (int i = 0; i < 8; ++i) {
+            const double more = i < 4 ? 1.0 + blue(density.cells.mean()) : 1.0;
+            const core::Vec3 xyz = more * core::color_matching(460.0) + core::color_matching(570.0);
+            x.push_back(xyz.x());
+            y.push_back(xyz.y());
+            z.push_back(xyz.z());
+          }
+          o->color_x.add_batch(std::move(x));
+          o->luminance.add_batch(std::move(y));
+          o->color_z.add_batch(std::move(z));
+        }
+        return o;
+      };
+}
+
+TEST(LevelSearch, GoesToALevelWhoseColorKeepsItsBound) {
+  // The lower the level, the longer the ways: 10 % more blue light at a level of 0.1, half of it at 0.2.
+  const ForwardModel model = colored(0.02, [](double level) { return 0.01 / level; });
+  const double knee_level = chosen(model, 0.1);
+  EXPECT_LT(knee_level, 0.09);
+  DesignSpec spec;
+  spec.goal.color = 1.0;
+  EXPECT_NEAR(chosen(model, 0.1, spec), knee_level, 1e-9) << "a bound that holds changes nothing";
+  spec.goal.color = 0.006;
+  const auto choice = choose_level(model, flat(0.1), spec, 1000, 1000000);
+  EXPECT_GT(0.1 * choice->factor, 1.1 * knee_level);
+  EXPECT_NE(choice->note.find("the nearest that keeps it"), std::string::npos) << choice->note;
+  spec.goal.color = 0.0001;
+  const auto none = choose_level(model, flat(0.1), spec, 1000, 1000000);
+  EXPECT_NEAR(0.1 * none->factor, 0.3, 1e-6);
+  EXPECT_NE(none->note.find("no level keeps the bound"), std::string::npos) << none->note;
 }
 
 TEST(LevelSearch, IsEmptyWhenInterrupted) {

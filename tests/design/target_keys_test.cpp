@@ -65,9 +65,24 @@ TEST(DesignKeys, GoalsNeedTheirBounds) {
   EXPECT_THAT(faults("{goal: min_rms, subject_to: {efficiency: 0.6}}", &spec), IsEmpty());
   EXPECT_EQ(spec.goal.efficiency, 0.6);
   EXPECT_THAT(faults("{goal: max_efficiency}"), ElementsAre(HasSubstr("design.subject_to.rms")));
-  EXPECT_THAT(faults("{subject_to: {rms: 0.02}}"), ElementsAre(HasSubstr("belongs to the goals")));
+  EXPECT_THAT(
+      faults("{subject_to: {rms: 0.02}}"),
+      ElementsAre(HasSubstr("design.subject_to.rms: belongs to the goal max_efficiency, got it with goal even")));
+  EXPECT_THAT(faults("{goal: max_efficiency, subject_to: {rms: 0.02, efficiency: 0.6}}"),
+              ElementsAre(HasSubstr("design.subject_to.efficiency: belongs to the goal min_rms")));
   EXPECT_THAT(faults("{goal: min_rms, subject_to: {efficiency: 0.6}, level: 0.1}"),
               ElementsAre(HasSubstr("design.level: must be left out")));
+}
+
+TEST(DesignKeys, ColorMayBeABoundOfAnyGoal) {
+  DesignSpec spec;
+  EXPECT_THAT(faults("{}", &spec), IsEmpty());
+  EXPECT_FALSE(spec.goal.color);
+  EXPECT_THAT(faults("{subject_to: {color: 0.004}}", &spec), IsEmpty());
+  EXPECT_EQ(spec.goal.color, 0.004);
+  EXPECT_THAT(faults("{goal: max_efficiency, subject_to: {rms: 0.02, color: 0.003}}", &spec), IsEmpty());
+  EXPECT_EQ(spec.goal.color, 0.003);
+  EXPECT_THAT(faults("{subject_to: {color: 0}}"), ElementsAre(HasSubstr("design.subject_to.color")));
 }
 
 TEST(DesignKeys, LimitsAndUpdaters) {

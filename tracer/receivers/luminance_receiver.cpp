@@ -26,19 +26,31 @@ double Pupil::projected_solid_angle(const core::Vec3& position) const {
 }
 
 LuminanceReceiver::LuminanceReceiver(const core::CellGrid& cells, double cone, double polar, double azimuth)
-    : cells_(cells),
-      sin_cone_(std::sin(cone)),
-      tilted_(polar > 0.0),
-      side_(-std::sin(azimuth), std::cos(azimuth), 0.0),
-      up_(-std::cos(polar) * std::cos(azimuth), -std::cos(polar) * std::sin(azimuth), std::sin(polar)),
-      axis_(std::sin(polar) * std::cos(azimuth), std::sin(polar) * std::sin(azimuth), std::cos(polar)) {
-  core::expects(cone >= 0.0 && polar >= 0.0 && polar + cone <= 0.5 * core::kPi + 1e-12 && polar < 0.5 * core::kPi,
+    : LuminanceReceiver(cells, cone, {ViewDirection{polar, azimuth, 1.0}}) {}
+
+LuminanceReceiver::LuminanceReceiver(const core::CellGrid& cells, double cone,
+                                     const std::vector<ViewDirection>& directions)
+    : cells_(cells), sin_cone_(std::sin(cone)) {
+  double shares = 0.0, farthest = 0.0;
+  for (const ViewDirection& d : directions) {
+    core::expects(d.share > 0.0 && d.polar >= 0.0, "shares above 0, polar angles not below 0");
+    shares += d.share;
+    farthest = std::max(farthest, d.polar);
+  }
+  core::expects(std::abs(shares - 1.0) < 1e-9, "directions of view with shares that sum to 1");
+  core::expects(cone >= 0.0 && farthest + cone <= 0.5 * core::kPi + 1e-12 && farthest < 0.5 * core::kPi,
                 "0 <= cone <= 90 degrees, none of it below the horizon");
-  const double counted = cone < kLeastCountedCone ? std::min(kWideCountedCone, 0.5 * core::kPi - polar) : cone;
+  const double counted = cone < kLeastCountedCone ? std::min(kWideCountedCone, 0.5 * core::kPi - farthest) : cone;
   sin_counted_ = std::sin(counted);
   cos_counted_ = std::cos(counted);
-  weight_ = 1.0 / (core::kPi * sin_counted_ * sin_counted_);
-  if (tilted_) weight_ /= axis_.z();
+  for (const auto& [polar, azimuth, share] : directions) {
+    const core::Vec3 side(-std::sin(azimuth), std::cos(azimuth), 0.0);
+    const core::Vec3 up(-std::cos(polar) * std::cos(azimuth), -std::cos(polar) * std::sin(azimuth), std::sin(polar));
+    const core::Vec3 axis(std::sin(polar) * std::cos(azimuth), std::sin(polar) * std::sin(azimuth), std::cos(polar));
+    double weight = 1.0 / (core::kPi * sin_counted_ * sin_counted_);
+    if (polar > 0.0) weight /= axis.z();
+    cones_.push_back({polar > 0.0, side, up, axis, share * weight, share});
+  }
 }
 
 LuminanceReceiver::LuminanceReceiver(const core::CellGrid& cells, const Pupil& pupil)
@@ -47,8 +59,8 @@ LuminanceReceiver::LuminanceReceiver(const core::CellGrid& cells, const Pupil& p
   pupil_ = pupil;
 }
 
-bool LuminanceReceiver::sees(const core::Vec3& k) const {
-  if (tilted_) return k.dot(axis_) >= cos_counted_;
+bool LuminanceReceiver::sees(const core::Vec3& k, const Cone& cone) const {
+  if (cone.tilted) return k.dot(cone.axis) >= cos_counted_;
   return k.x() * k.x() + k.y() * k.y() <= sin_counted_ * sin_counted_;
 }
 
@@ -69,27 +81,37 @@ View LuminanceReceiver::sample_pupil(const core::Vec3& position, double u1, doub
 
 View LuminanceReceiver::sample_view(const core::Vec3& position, double u1, double u2, double aside) const {
   if (pupil_) return sample_pupil(position, u1, u2, aside);
+  std::size_t direction = 0;
+  // What u1 leaves over within the share of the direction is a uniform number again.
+  for (; direction + 1 < cones_.size() && u1 >= cones_[direction].share; ++direction) u1 -= cones_[direction].share;
+  return sample_cone(direction, std::min(u1 / cones_[direction].share, 1.0), u2);
+}
+
+View LuminanceReceiver::sample_cone(std::size_t direction, double u1, double u2) const {
+  const Cone& cone = cones_[direction];
   const core::Vec3 local = core::sample_cosine_cone(u1, u2, sin_cone_);
-  if (!tilted_) return {local, 1.0};
+  if (!cone.tilted) return {local, 1.0, direction};
   // Drawn with density k.a / (pi sin^2 cone), wanted with k_z over the projected solid angle.
-  const core::Vec3 k = local.x() * side_ + local.y() * up_ + local.z() * axis_;
-  return {k, k.z() / (local.z() * axis_.z())};
+  const core::Vec3 k = local.x() * cone.side + local.y() * cone.up + local.z() * cone.axis;
+  return {k, k.z() / (local.z() * cone.axis.z()), direction};
 }
 
 std::optional<Score> LuminanceReceiver::score_view(const core::Vec3& seen, const View& view) const {
-  const int bin = cells_.index_at(seen.x(), seen.y());
-  if (bin < 0) return std::nullopt;
-  if (!pupil_) return Score{static_cast<std::size_t>(bin), view.weight};
+  const int cell = cells_.index_at(seen.x(), seen.y());
+  if (cell < 0) return std::nullopt;
+  const std::size_t bin = view.direction * cells_.size() + static_cast<std::size_t>(cell);
+  if (!pupil_) return Score{bin, view.weight};
   const core::Vec3 from(seen.x(), seen.y(), pupil_->display_z);
   if (!pupil_->sees(from, view.k)) return std::nullopt;
-  return Score{static_cast<std::size_t>(bin), view.weight / pupil_->projected_solid_angle(from)};
+  return Score{bin, view.weight / pupil_->projected_solid_angle(from)};
 }
 
-std::optional<Score> LuminanceReceiver::score(const Crossing& crossing) const {
+std::optional<Score> LuminanceReceiver::score(const Crossing& crossing, std::size_t direction) const {
   if (crossing.side != Side::kTop || crossing.estimated) return std::nullopt;
   if (pupil_) return score_view(crossing.position, {crossing.k, 1.0});
-  if (!sees(crossing.k)) return std::nullopt;
-  return score_view(crossing.position, {crossing.k, weight_});
+  const Cone& cone = cones_[direction];
+  if (!sees(crossing.k, cone)) return std::nullopt;
+  return score_view(crossing.position, {crossing.k, cone.weight, direction});
 }
 
 double luminance_per_score(const LuminanceReceiver& receiver, double flux, std::uint64_t photons) {

@@ -38,6 +38,28 @@ void read_density_map(const ConfigNode& node, MicrostructureSpec& spec) {
   spec.density_map = matrix->values;
 }
 
+void read_interpolation(const ConfigNode& node, MicrostructureSpec& spec) {
+  const std::string kind =
+      node.choice({"interpolation",
+                   "of the density: constant within a cell, or bilinear between the centers of the "
+                   "cells, sampled on the subcells of each cell, whose mean it keeps",
+                   {"constant", "bilinear"},
+                   "constant"});
+  const auto subcells = static_cast<int>(
+      node.integer({"subcells", "of interpolation bilinear: parts of a cell along x and along y", 2, 16, 4}));
+  if (kind != "bilinear") {
+    if (node.has("subcells")) node.fault_at("subcells", "belongs to interpolation bilinear, got it with constant");
+    return;
+  }
+  constexpr double kMost = 4e6;
+  const double parts = static_cast<double>(spec.nx) * spec.ny * subcells * subcells;
+  if (parts > kMost) {
+    node.fault_at("subcells", fmt::format("must not make more than {} parts of all cells, got {}", kMost, parts));
+    return;
+  }
+  spec.subcells = subcells;
+}
+
 std::optional<MicrostructureSpec> read_microstructure(const ConfigNode& backlight,
                                                       const BacklightSpec& backlight_spec) {
   if (!backlight_spec.plate) {
@@ -55,10 +77,14 @@ std::optional<MicrostructureSpec> read_microstructure(const ConfigNode& backligh
   spec.density = node.number(
       {"density", "share of the area under microstructure at the start, every cell", Range::closed(0, 1), 0.1});
   read_density_map(node, spec);
+  read_interpolation(node, spec);
   if (auto shape = microstructure_registry().make(node, "printed_dot")) spec.shape = std::move(*shape);
   const Box& area = backlight_spec.area;
   spec.dots = read_dots_file(node, spec.shape.kind, {area.min.x(), area.max.x(), area.min.y(), area.max.y()});
   const bool wedge = backlight_spec.plate->end_thickness < backlight_spec.plate->thickness;
+  if (spec.dots && spec.subcells > 1) {
+    node.fault_at("interpolation", "of a density needs one, got dots_file: the pattern itself");
+  }
   if (spec.dots && wedge && spec.shape.kind != "printed_dot") {
     node.fault_at("dots_file", "of shapes with a height needs a flat light_guide_plate, got a wedge");
   }

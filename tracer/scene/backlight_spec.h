@@ -44,8 +44,9 @@ struct MicrostructureSpec {
   Side face = Side::kBottom;  ///< bottom or top
   int nx = 96;
   int ny = 48;
-  double density = 0.1;                 ///< at the start, every cell
-  std::vector<double> density_map;      ///< at the start, index iy * nx + ix; empty: `density` everywhere
+  double density = 0.1;             ///< at the start, every cell
+  std::vector<double> density_map;  ///< at the start, index iy * nx + ix; empty: `density` everywhere
+  int subcells = 1;  ///< parts of a cell along x and y, between which the density runs linearly; 1: constant
   std::shared_ptr<const DotGrid> dots;  ///< the pattern itself, dot by dot; null: by its density
   Microstructure shape;
 };
@@ -62,6 +63,7 @@ struct LuminanceReceiverSpec {
   double cone = 10.0 * core::kRadPerDeg;  ///< half angle, rad
   double polar = 0.0;                     ///< of the cone's axis from the normal, rad
   double azimuth = 0.0;                   ///< of the cone's axis from +x towards +y, rad
+  std::vector<ViewDirection> views;       ///< several axes instead, whose weighted sum counts; empty: that one
   std::optional<PupilSpec> pupil;         ///< then neither cone nor its axis counts
   LuminanceEstimator estimator = LuminanceEstimator::kNextEvent;
   double least_lobe = 0.0;  ///< rad; what scatters over less is counted (`spreads_over`)

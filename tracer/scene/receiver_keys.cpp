@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <set>
 #include <string>
+#include <vector>
 
 #include <fmt/core.h>
 
@@ -67,27 +69,53 @@ void choose_estimator(BacklightSpec& spec, const std::string& estimator) {
   luminance.estimator = works ? LuminanceEstimator::kNextEvent : LuminanceEstimator::kCounting;
 }
 
-void read_direction(const ConfigNode& node, BacklightSpec& spec) {
+struct Direction {
+  double polar = 0.0, azimuth = 0.0;  ///< rad
+};
+
+/// `cone`: half angle of the cone about it, rad.
+Direction read_direction(const ConfigNode& node, double cone, bool required) {
+  std::optional<std::vector<double>> usual = std::vector<double>{0.0, 0.0};
+  if (required) usual.reset();
   const auto direction = node.numbers({"direction_deg",
                                        "direction of view, the axis of the cone: polar angle from the normal, azimuth "
                                        "from +x towards +y",
-                                       Range::closed(-360, 360),
-                                       2,
-                                       2,
-                                       {{0.0, 0.0}}});
+                                       Range::closed(-360, 360), 2, 2, usual});
+  if (direction.size() != 2) return {};
   const double polar = direction[0] / core::kRadPerDeg;
-  const double cone = spec.luminance.cone / core::kRadPerDeg;
+  const double half = cone / core::kRadPerDeg;
   constexpr double kHorizon = 89.0;
   if (polar < 0.0) {
     node.fault_at("direction_deg", fmt::format("the polar angle must not be negative, got {:.6g}", polar));
-  } else if (polar > 0.0 && polar + cone > kHorizon + 1e-9) {
+    return {};
+  }
+  if (polar > 0.0 && polar + half > kHorizon + 1e-9) {
     node.fault_at("direction_deg", fmt::format("the polar angle and the cone's half angle ({:.6g} degrees) must not be "
                                                "more than {} degrees together, got {:.6g}",
-                                               cone, kHorizon, polar + cone));
-  } else {
-    spec.luminance.polar = direction[0];
-    spec.luminance.azimuth = direction[1];
+                                               half, kHorizon, polar + half));
+    return {};
   }
+  return {direction[0], direction[1]};
+}
+
+/// Several directions whose weighted sum is the luminance that counts.
+void read_views(const ConfigNode& node, BacklightSpec& spec) {
+  constexpr std::size_t kMostViews = 9;
+  const auto nodes =
+      node.maps("views", "several directions of view: the luminance that counts is their weighted sum", kMostViews);
+  if (nodes.empty()) return;
+  for (const char* key : {"direction_deg", "pupil"}) {
+    if (node.has(key)) node.fault_at(key, "must be left out beside views, got both");
+  }
+  double sum = 0.0;
+  for (const ConfigNode& view : nodes) {
+    const Direction direction = read_direction(view, spec.luminance.cone, true);
+    const double weight = view.number(
+        {"weight", "of this direction in the sum; only ratios of weights matter", Range::positive(1e6), 1.0});
+    spec.luminance.views.push_back({direction.polar, direction.azimuth, weight});
+    sum += weight;
+  }
+  for (ViewDirection& view : spec.luminance.views) view.share /= sum;
 }
 
 /// Where the viewer's eye or camera is. A pupil decides the direction of view by itself.
@@ -117,7 +145,10 @@ void read_luminance(const ConfigNode& node, BacklightSpec& spec) {
   spec.luminance.cells = active_area(node, spec.area, read_cells(node, {whole.nx, whole.ny}));
   spec.luminance.cone = node.number({"cone_deg", "half angle of the viewing cone; 0: one direction, not for counting",
                                      Range::closed(0, 90), spec.luminance.cone / core::kRadPerDeg});
-  read_direction(node, spec);
+  const Direction direction = read_direction(node, spec.luminance.cone, false);
+  spec.luminance.polar = direction.polar;
+  spec.luminance.azimuth = direction.azimuth;
+  read_views(node, spec);
   read_pupil(node, spec);
   const std::string estimator =
       node.choice({"estimator",

@@ -10,6 +10,7 @@ namespace evenglow::tracer {
 /// - `luminance`: `cells`, `margins`, `estimator`: see docs/run_file.md; `cone_deg` (10): half angle of the viewing
 /// cone;
 ///   `direction_deg` ([0, 0]): polar angle and azimuth of its axis, polar + cone at most 89 unless polar is 0; or
+///   `views: [{direction_deg, weight}]`: up to nine such axes, whose weighted sum counts;
 ///   `pupil: {distance_mm, diameter_mm, at: [x, y]}`, by default before the center of the active area.
 /// - `angular`: `polar_count` (18), `azimuth_count` (24): bins; `at` (all): all, over the whole area; center, 9, 13:
 ///   also at the spots of these points of the active area; `spot_mm` (8 % of the diagonal): diameter of a spot, up to a

@@ -15,6 +15,7 @@ SpectralBands bands_of(const BacklightSpec& spec) {
 }
 
 LuminanceReceiver luminance_receiver(const LuminanceReceiverSpec& spec, double top) {
+  if (!spec.views.empty()) return {spec.cells, spec.cone, spec.views};
   if (!spec.pupil) return {spec.cells, spec.cone, spec.polar, spec.azimuth};
   return {spec.cells,
           Pupil{{spec.pupil->x, spec.pupil->y, top + spec.pupil->distance}, 0.5 * spec.pupil->diameter, top}};

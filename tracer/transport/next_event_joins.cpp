@@ -158,6 +158,7 @@ void NextEvent::join(const Meeting& meeting, std::size_t list, double brdf, std:
   std::array<Anchor, 4> places;
   const bool pupil = scene_.luminance.pupil().has_value();
   const CellFinder cells(scene_.luminance.cells());
+  const std::size_t cell_count = scene_.luminance.cells().size();
   const std::size_t place_count = anchors(meeting.position.head<2>(), with_images, meeting.band, places);
   for (std::size_t i = 0; i < joins; ++i) {
     const ViewerArrival& arrival = pool.next(list);
@@ -173,12 +174,13 @@ void NextEvent::join(const Meeting& meeting, std::size_t list, double brdf, std:
         score(meeting, arrival, anchor.place, power, pool, sums);
         continue;
       }
-      const int bin = cells.index_at(anchor.place + arrival.display);
-      if (bin < 0) continue;
+      const int cell = cells.index_at(anchor.place + arrival.display);
+      if (cell < 0) continue;
+      const std::size_t bin = arrival.view.direction * cell_count + static_cast<std::size_t>(cell);
       if (sums.log != nullptr) tell_crossings(pool.arrivals(), arrival, anchor.place, *sums.log);
       const double open =
           arrival.crossings > 0 ? open_share(pool.arrivals(), arrival, anchor.place, meeting.band) : 1.0;
-      sums.add_luminance({static_cast<std::size_t>(bin), arrival.view.weight * open * power}, meeting.weight);
+      sums.add_luminance({bin, arrival.view.weight * open * power}, meeting.weight);
     }
   }
 }

@@ -173,7 +173,9 @@ void PhotonHistory::escape_by(Side side, const Walk& walk, BatchSums& sums) cons
 
 void PhotonHistory::escape(const Walk& walk, const Crossing& crossing, BatchSums& sums) const {
   const double flux = walk.weight.y();
-  if (const auto score = scene_.luminance.score(crossing)) sums.add_luminance(*score, walk.weight);
+  for (std::size_t direction = 0; direction < scene_.luminance.directions(); ++direction) {
+    if (const auto score = scene_.luminance.score(crossing, direction)) sums.add_luminance(*score, walk.weight);
+  }
   if (const auto score = scene_.energy.score(crossing)) sums.energy[score->bin] += score->weight * flux;
   if (!scene_.angular) return;
   if (const auto score = scene_.angular->score(crossing)) sums.angular[score->bin] += score->weight * flux;

@@ -124,7 +124,7 @@ std::optional<TraceResult> recorded(const Scene& scene, const DensityField& dens
                                       options.record_bytes);
   auto result = traced(scene, density, recording, options);
   if (result) {
-    result->records = std::make_shared<ArrivalRecords>(density, scene.luminance.bins(), options.threads,
+    result->records = std::make_shared<ArrivalRecords>(density, scene.luminance.cells().size(), options.threads,
                                                        recording.take_logs(), options.ranks, options.stop);
   }
   return result;

@@ -37,7 +37,7 @@ TraceSpec read_photons(const core::ConfigNode& trace);
 struct TraceResult {
   std::uint64_t photons = 0;
   double flux = 0.0;      ///< lm that the photons share
-  core::Tally luminance;  ///< scores, 1/sr
+  core::Tally luminance;  ///< scores, 1/sr, of each direction of view (view_sums.h)
   core::Tally color_x;    ///< as luminance, for the tristimulus values X and Z; no bins unless the color is asked for
   core::Tally color_z;
   core::Tally energy;                               ///< photons

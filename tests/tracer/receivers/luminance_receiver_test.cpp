@@ -1,6 +1,8 @@
 #include "tracer/receivers/luminance_receiver.h"
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -38,6 +40,41 @@ TEST(LuminanceReceiver, RefusesImpossibleCones) {
   EXPECT_THROW(LuminanceReceiver(kCells, 2.0), core::Error);
   EXPECT_THROW(LuminanceReceiver(kCells, 0.5, 1.1), core::Error);  // below the horizon
   EXPECT_THROW(LuminanceReceiver(kCells, 0.5, -0.1), core::Error);
+}
+
+TEST(LuminanceReceiver, SeveralDirectionsHaveBinsOfTheirOwn) {
+  const double tilt = 15.0 * core::kRadPerDeg;
+  const LuminanceReceiver receiver(kCells, kCone, {{0.0, 0.0, 0.75}, {tilt, 0.0, 0.25}});
+  EXPECT_EQ(receiver.bins(), 16U);
+  const double weight = 1.0 / (core::kPi * std::pow(std::sin(kCone), 2));
+  const Crossing both = crossing(3.5, 3.5, 7.0);  // the cones overlap
+  ASSERT_TRUE(receiver.score(both, 0) && receiver.score(both, 1));
+  EXPECT_EQ(receiver.score(both, 0)->bin, 5U);
+  EXPECT_EQ(receiver.score(both, 1)->bin, 13U);
+  EXPECT_DOUBLE_EQ(receiver.score(both, 0)->weight, 0.75 * weight);
+  EXPECT_DOUBLE_EQ(receiver.score(both, 1)->weight, 0.25 * weight / std::cos(tilt));
+  EXPECT_FALSE(receiver.score(crossing(3.5, 3.5, 20.0), 0));
+  EXPECT_TRUE(receiver.score(crossing(3.5, 3.5, 20.0), 1));
+  // Views: three of four along the normal, each direction from its whole cone.
+  int first = 0;
+  double least = 1.0, most = 0.0;
+  for (int i = 0; i < 1000; ++i) {
+    const View view = receiver.sample_view(core::Vec3::Zero(), (i + 0.5) / 1000.0, 0.3);
+    first += view.direction == 0 ? 1 : 0;
+    const core::Vec3 axis = view.direction == 0 ? core::Vec3(0, 0, 1) : core::Vec3(std::sin(tilt), 0, std::cos(tilt));
+    EXPECT_GE(view.k.dot(axis), std::cos(kCone) - 1e-9);
+    if (view.direction == 1) {
+      least = std::min(least, view.k.dot(axis));
+      most = std::max(most, view.k.dot(axis));
+    }
+    EXPECT_EQ(receiver.score_view({3.5, 3.5, 0.6}, view)->bin, view.direction * 8 + 5);
+  }
+  EXPECT_EQ(first, 750);
+  EXPECT_LT(least, 0.99);
+  EXPECT_GT(most, 0.9999);
+  EXPECT_THROW(LuminanceReceiver(kCells, kCone, {{0.0, 0.0, 0.5}}), core::Error);
+  EXPECT_THROW(LuminanceReceiver(kCells, kCone, {{1.5, 0.0, 1.0}}), core::Error);
+  EXPECT_THROW(LuminanceReceiver(kCells, kCone, std::vector<ViewDirection>{}), core::Error);
 }
 
 TEST(LuminanceReceiver, TiltedCone) {

@@ -42,6 +42,26 @@ TEST(ReceiverKeys, DirectionOfView) {
   expect_fault("{kind: luminance, direction_deg: [5, 400]}", "direction_deg");
 }
 
+TEST(ReceiverKeys, SeveralDirectionsOfView) {
+  EXPECT_TRUE(backlight_of(lit("{kind: luminance}")).luminance.views.empty());
+  const auto views = backlight_of(lit("{kind: luminance, views: [{direction_deg: [0, 0], weight: 6}, {direction_deg: "
+                                      "[30, 90], weight: 2}]}"))
+                         .luminance.views;
+  ASSERT_EQ(views.size(), 2U);
+  EXPECT_DOUBLE_EQ(views[0].share, 0.75);
+  EXPECT_DOUBLE_EQ(views[1].share, 0.25);
+  EXPECT_NEAR(views[1].polar, 30.0 * core::kRadPerDeg, 1e-15);
+  EXPECT_NEAR(views[1].azimuth, 90.0 * core::kRadPerDeg, 1e-15);
+  expect_fault("{kind: luminance, views: [{weight: 1}]}", "receivers[0].views[0].direction_deg");
+  expect_fault("{kind: luminance, views: [{direction_deg: [0, 0], weight: 0}]}", "receivers[0].views[0].weight");
+  expect_fault("{kind: luminance, views: [{direction_deg: [85, 0]}]}",
+               "receivers[0].views[0].direction_deg: the polar angle and the cone's half angle");
+  expect_fault("{kind: luminance, direction_deg: [10, 0], views: [{direction_deg: [0, 0]}]}",
+               "receivers[0].direction_deg: must be left out beside views, got both");
+  expect_fault("{kind: luminance, views: [{direction_deg: [0, 0]}], pupil: {distance_mm: 500, diameter_mm: 5}}",
+               "receivers[0].pupil: must be left out beside views, got both");
+}
+
 TEST(ReceiverKeys, Pupil) {
   EXPECT_FALSE(backlight_of(lit("{kind: luminance}")).luminance.pupil);
   const auto pupil =
