@@ -4,11 +4,13 @@
 
 #include <fmt/core.h>
 
+#include "design/problem/pair_statistic.h"
+
 namespace evenglow::design {
 namespace {
 
 constexpr double kStallGain = 0.05;
-constexpr double kMostError = 0.5;  // of the RMS, over the RMS to reach
+constexpr double kMostError = 0.5;  // of the squared RMS, over that to reach
 constexpr double kClearly = 2.0;    // standard errors
 constexpr const char* kReached = "reached: ";
 
@@ -33,8 +35,9 @@ std::string percent(const core::Estimate& rms) {
 }  // namespace
 
 bool reached(const StepRecord& record, const DesignSpec& spec) {
-  const core::Estimate& rms = record.rms_corrected;
-  return rms.value + rms.se <= spec.stop_rms && rms.se <= kMostError * spec.stop_rms;
+  const core::Estimate square = signed_square(record.rms_corrected);
+  const double bound = spec.stop_rms * spec.stop_rms;
+  return square.value + square.se <= bound && square.se <= kMostError * bound;
 }
 
 std::string stop_reason(const DesignCourse& course, const DesignSpec& spec, const DesignLimits& limits) {

@@ -12,9 +12,10 @@ namespace evenglow::design {
 
 inline constexpr double kNoneYet = 1e9;  ///< best RMS so far where there is none: worse than any
 
-/// Does the step show that the bound is kept? Noise-corrected RMS + its standard error <= `stop_rms`, and that error at
-/// most half of `stop_rms`. The error is normal and the trace has not been seen by its density, so that a density whose
-/// RMS is at the bound passes with a chance of 16 %, one that lies a standard error above it with 2.3 %.
+/// Does the step show that the bound is kept? The squared RMS with the noise taken off (which is normal, and whose
+/// trace the density has not seen) + its standard error <= `stop_rms`^2, and that error <= half of `stop_rms`^2. So a
+/// density whose RMS is at the bound passes with a chance of 16 %, one of 1.2 times the bound with 3 % at most, and
+/// with less the smaller the error is.
 bool reached(const StepRecord& record, const DesignSpec& spec);
 
 /// What the rule looks at beside the spec.

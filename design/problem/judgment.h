@@ -51,7 +51,7 @@ struct FinalJudgment {
   double luminance_center = 0.0;  ///< cd/m2
   core::Estimate efficiency;
   std::vector<ViewJudgment> views{};  ///< of several directions of view; else empty
-  double rms_low = 0.0;             ///< 95 % confidence interval of the RMS without noise
+  double rms_low = 0.0;               ///< 95 % confidence interval of the RMS without noise
   double rms_high = 0.0;
   /// Standard errors of the spots' figures (`spot_errors`); not a number where they are not known.
   double uniformity_9_se = std::numeric_limits<double>::quiet_NaN();

@@ -39,4 +39,10 @@ core::Estimate signed_root(double square, double se) {
   return {root, scale > 0.0 ? 0.5 * se / scale : 0.0};
 }
 
+core::Estimate signed_square(const core::Estimate& root) {
+  const double size = std::abs(root.value);
+  const bool lost = root.se > 0.5 * size;  // the value is smaller than the root of the square's error
+  return {root.value * size, lost ? 4.0 * root.se * root.se : 2.0 * root.se * size};
+}
+
 }  // namespace evenglow::design

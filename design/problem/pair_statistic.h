@@ -29,5 +29,7 @@ core::Estimate pair_statistic(const BatchProducts& h);
 
 /// Root with the sign kept; its error stays finite where the value is lost in it.
 core::Estimate signed_root(double square, double se);
+/// The square that such a root was taken of, with its error.
+core::Estimate signed_square(const core::Estimate& root);
 
 }  // namespace evenglow::design

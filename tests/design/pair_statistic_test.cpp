@@ -60,5 +60,13 @@ TEST(PairStatistic, SignedRoot) {
   EXPECT_EQ(signed_root(0.0, 0.0).se, 0.0);
 }
 
+TEST(PairStatistic, SquareAndRootTellTheSame) {
+  for (const double square : {-4e-4, -1e-6, 0.0, 2e-6, 3e-4}) {
+    const core::Estimate again = signed_square(signed_root(square, 5e-5));
+    EXPECT_NEAR(again.value, square, 1e-15);
+    EXPECT_NEAR(again.se, 5e-5, 1e-15) << square;
+  }
+}
+
 }  // namespace
 }  // namespace evenglow::design
