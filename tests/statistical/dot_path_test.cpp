@@ -144,8 +144,7 @@ void expect_estimators_agree(const Case& c, const std::string& cells, const Trac
                              TracePath path) {
   const auto dots = random_dots(12'000, c.diameter, c.footprint, c.keys.find("printed") == std::string::npos, 4);
   const std::string text = kPlate + kAround + pattern(c.keys) + kDiffuser;
-  const DotScene next(text + receiver("next_event", cells), dots),
-      count(text + receiver("counting", cells), dots);
+  const DotScene next(text + receiver("next_event", cells), dots), count(text + receiver("counting", cells), dots);
   expect_same(c.name, next.scene, next.density, count.scene, count.density, setup, chi_tolerance, path);
 }
 

@@ -117,7 +117,7 @@ TEST(DotTrace, ALatticeDoesWhatThePeriodicPatchDoes) {
       {"kind: pyramid, flank_deg: 50", 0.3, Footprint::square},
       {"kind: pyramid, flank_deg: 70, truncation: 0.3, form: sunk", 0.2, Footprint::square},
   };
-  const std::vector<Vec3> directions = {travel(20, 10, true), travel(60, 130, true), travel(80, 200, true),
+  const std::vector<Vec3> directions = {travel(20, 10, true), travel(61, 130, true), travel(80, 200, true),
                                         travel(29, 50), travel(75, 100)};
   std::uint32_t stream = 0;
   for (const Case& c : cases) {

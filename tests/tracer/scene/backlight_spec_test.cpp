@@ -50,8 +50,8 @@ TEST(BacklightSpec, PlateOfAPlainConstantIsLossless) {
   EXPECT_EQ(spec.plate->material(550.0).refractive_index, 1.4938);
   EXPECT_EQ(spec.plate->material(550.0).absorption, 0.0);
   expect_fault("light_guide_plate: {refractive_index: 1.5, material: pmma}, " + kLeds, "material");
-  EXPECT_NEAR(backlight_of("light_guide_plate: {absorption_per_m: 5}, " + kLeds).plate->material(550.0).absorption, 0.005,
-              1e-15);
+  EXPECT_NEAR(backlight_of("light_guide_plate: {absorption_per_m: 5}, " + kLeds).plate->material(550.0).absorption,
+              0.005, 1e-15);
 }
 
 TEST(BacklightSpec, WithoutPlate) {
