@@ -20,7 +20,7 @@ std::vector<RunPoint> points_of(const std::filesystem::path& file, std::vector<c
 }
 
 std::string folder_name(const std::filesystem::path& file, const RunPoint& point, bool several_files) {
-  const std::string stem = file.stem().string();
+  std::string stem = file.stem().string();
   if (point.name.empty()) return stem;
   return several_files ? stem + "_" + point.name : point.name;
 }

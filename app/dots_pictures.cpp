@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "app/dots_raster.h"
+#include "core/math/cell_index.h"
 #include "design/report/cairo_drawing.h"
 #include "design/report/curve_plot.h"
 #include "design/report/map_plot.h"
@@ -95,7 +96,7 @@ void write_spectrum(const DotsReport& report, const std::filesystem::path& path)
   std::vector<design::Rgb> colors;
   for (int row = side - 1; row >= 0; --row) {
     for (int column = 0; column < side; ++column) {
-      const double value = decibel.values[static_cast<std::size_t>(row * side + column)];
+      const double value = decibel.values[core::cell_index(side, column, row)];
       colors.push_back(design::ColorMap::luminance().at((value + 20.0) / 30.0));
     }
   }

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "core/math/cell_index.h"
+
 namespace evenglow::app {
 
 core::CellField coarse_raster(const core::DotPattern& dots, const design::RectangleZone& area, int longest_side) {
@@ -20,7 +22,7 @@ core::CellField coarse_raster(const core::DotPattern& dots, const design::Rectan
       const double weight = (k % 2 == 1 ? u - iu : 1.0 - u + iu) * (k / 2 == 1 ? v - iv : 1.0 - v + iv);
       const int ix = std::clamp(static_cast<int>(iu) + k % 2, 0, nx - 1),
                 iy = std::clamp(static_cast<int>(iv) + k / 2, 0, ny - 1);
-      share.values[static_cast<std::size_t>(iy * nx + ix)] += part * weight;
+      share.values[core::cell_index(nx, ix, iy)] += part * weight;
     }
   }
   return share;
@@ -44,7 +46,7 @@ core::CellField fine_raster(const core::DotPattern& dots, core::Footprint footpr
         const double distance = footprint == core::Footprint::round
                                     ? std::hypot(dx, dy)
                                     : std::max(std::abs(c * dx + s * dy), std::abs(c * dy - s * dx));
-        double& value = share.values[static_cast<std::size_t>(iy * g.nx + ix)];
+        double& value = share.values[core::cell_index(g.nx, ix, iy)];
         value = std::max(value, std::clamp(0.5 + (r - distance) / g.dx, 0.0, 1.0));
       }
     }

@@ -81,7 +81,7 @@ class Explorer {
     }
     for (const auto& [map, keys] : demanded) {
       const auto [known, is_new] = always_.try_emplace(map, keys);
-      if (!is_new) std::erase_if(known->second, [&](const std::string& key) { return !keys.contains(key); });
+      if (!is_new) std::erase_if(known->second, [&kept = keys](const std::string& key) { return !kept.contains(key); });
     }
   }
 

@@ -63,6 +63,7 @@ std::string heading(const DeclaredKey& key) {
 
 std::string key_reference(const std::vector<DeclaredKey>& keys) {
   std::vector<const DeclaredKey*> sorted;
+  sorted.reserve(keys.size());
   for (const DeclaredKey& key : keys) sorted.push_back(&key);
   std::stable_sort(sorted.begin(), sorted.end(), [](const DeclaredKey* a, const DeclaredKey* b) {
     return std::pair(a->node, a->kind) < std::pair(b->node, b->kind);

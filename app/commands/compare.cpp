@@ -52,6 +52,7 @@ int compare_command(const Session& session) {
   }
   const auto directory = output_directory(session.options, session.options.files.front());
   std::vector<std::string> places;
+  places.reserve(runs.size());
   for (const Run& run : runs) places.push_back(run.variant);
   const OutputLock lock = claim_directory(directory, places, session.options);
   const std::string title = runs.front().title;

@@ -53,7 +53,7 @@ struct Output {
 };
 
 design::FreeArea free_area(const DotsInput& input) {
-  const design::FreeArea free(input.plate, input.spec.margins, input.spec.rectangles, input.spec.circles);
+  design::FreeArea free(input.plate, input.spec.margins, input.spec.rectangles, input.spec.circles);
   const design::RectangleZone& box = free.bounds();
   if (box.x1 > box.x0 && box.y1 > box.y0) return free;
   throw core::ConfigError(core::Fault{input.run_file.empty() ? "options" : input.run_file, 0, 0, "dots.margins",
@@ -170,7 +170,7 @@ DotsOverrides DotsCommand::overrides() const {
     } else if (key == "panel_pitch_um" || key == "diameters_um") {
       const bool pair = value.find(',') != std::string::npos || value.starts_with("[");
       const std::string list = pair ? value : key == "panel_pitch_um" ? value + "," + value : value;
-      changes.push_back({"dots." + key, list.starts_with("[") ? list : "[" + list + "]", origin});
+      changes.push_back({"dots." + key, list.starts_with("[") ? list : fmt::format("[{}]", list), origin});
     } else {
       changes.push_back({"dots." + key, value, origin});
     }
@@ -186,6 +186,7 @@ int DotsCommand::run(const Session&) {
   if (fs::exists(out, ignored) && !fs::is_directory(out, ignored))
     throw core::ConfigError(core::Fault{core::one_line(out.string()), 0, 0, "", "must be a directory, got a file"});
   std::vector<fs::path> files;
+  files.reserve(kFiles.size());
   for (const char* name : kFiles) files.push_back(out / name);
   if (!directory) require_other_than_inputs(files, {source_});
   if (!overwrite_) require_free(files);

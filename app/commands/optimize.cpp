@@ -32,6 +32,7 @@ void check_ranges(const Session& session, const design::OuterSpec& outer) {
   for (const double design::OuterVariable::*end :
        {&design::OuterVariable::start, &design::OuterVariable::low, &design::OuterVariable::high}) {
     std::vector<double> values;
+    values.reserve(outer.variables.size());
     for (const auto& v : outer.variables) values.push_back(v.*end);
     run_at(session, outer, values);
   }

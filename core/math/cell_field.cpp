@@ -5,6 +5,8 @@
 #include <numeric>
 #include <utility>
 
+#include "core/math/cell_index.h"
+
 namespace evenglow::core {
 namespace {
 
@@ -76,7 +78,7 @@ CellField resample_nearest(const CellField& field, const CellGrid& grid) {
   CellField result(grid, 0.0);
   for (int iy = 0; iy < grid.ny; ++iy) {
     for (int ix = 0; ix < grid.nx; ++ix) {
-      result.values[static_cast<std::size_t>(iy * grid.nx + ix)] = field.at(grid.center_x(ix), grid.center_y(iy));
+      result.values[cell_index(grid.nx, ix, iy)] = field.at(grid.center_x(ix), grid.center_y(iy));
     }
   }
   return result;
@@ -96,10 +98,9 @@ CellField resample_bilinear(const CellField& field, const CellGrid& grid) {
     for (int ix = 0; ix < grid.nx; ++ix) {
       const auto [x, fx] = split((grid.center_x(ix) - from.x0) / from.dx, from.nx);
       const int x1 = std::min(x + 1, from.nx - 1);
-      const auto value = [&](int i, int j) { return field.values[static_cast<std::size_t>(j * from.nx + i)]; };
-      result.values[static_cast<std::size_t>(iy * grid.nx + ix)] =
-          (1.0 - fy) * ((1.0 - fx) * value(x, y) + fx * value(x1, y)) +
-          fy * ((1.0 - fx) * value(x, y1) + fx * value(x1, y1));
+      const auto value = [&](int i, int j) { return field.values[cell_index(from.nx, i, j)]; };
+      result.values[cell_index(grid.nx, ix, iy)] = (1.0 - fy) * ((1.0 - fx) * value(x, y) + fx * value(x1, y)) +
+                                                   fy * ((1.0 - fx) * value(x, y1) + fx * value(x1, y1));
     }
   }
   return result;

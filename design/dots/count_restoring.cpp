@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstdint>
 
+#include "core/math/cell_index.h"
+
 namespace evenglow::design {
 namespace {
 
@@ -47,7 +49,7 @@ class Restoring {
     const core::CellGrid& g = store_.grid();
     const int ix = static_cast<int>(cell) % g.nx + way.dx, iy = static_cast<int>(cell) / g.nx + way.dy;
     if (ix < 0 || ix >= g.nx || iy < 0 || iy >= g.ny) return cell;
-    return static_cast<std::size_t>(iy * g.nx + ix);
+    return core::cell_index(g.nx, ix, iy);
   }
 
   /// How many more, or fewer, the cell may have; negative: it has too many, or too few.

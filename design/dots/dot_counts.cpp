@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/math/cell_index.h"
+
 namespace evenglow::design {
 
 std::vector<int> whole_counts(const core::CellField& wanted) {
@@ -11,13 +13,13 @@ std::vector<int> whole_counts(const core::CellField& wanted) {
   std::vector<double> carried(wanted.values.size(), 0.0);
   const auto pass = [&](int ix, int iy, double error) {
     if (ix < 0 || ix >= g.nx || iy >= g.ny) return;
-    carried[static_cast<std::size_t>(iy * g.nx + ix)] += error;
+    carried[core::cell_index(g.nx, ix, iy)] += error;
   };
   for (int iy = 0; iy < g.ny; ++iy) {
     const int way = iy % 2 == 0 ? 1 : -1;
     for (int step = 0; step < g.nx; ++step) {
       const int ix = way > 0 ? step : g.nx - 1 - step;
-      const auto i = static_cast<std::size_t>(iy * g.nx + ix);
+      const auto i = core::cell_index(g.nx, ix, iy);
       const double low = std::floor(wanted.values[i]);
       const double ask = wanted.values[i] + carried[i];
       const double count = wanted.values[i] == low ? low : std::clamp(std::round(ask), low, low + 1.0);

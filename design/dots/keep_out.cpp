@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "core/math/cell_index.h"
+
 namespace evenglow::design {
 
 FreeArea::FreeArea(const RectangleZone& plate, const Margins& margins, std::vector<RectangleZone> rectangles,
@@ -50,7 +52,7 @@ core::CellField FreeArea::free_share(const core::CellGrid& cells) const {
       if (x1 <= x0 || y1 <= y0) continue;
       const double part = std::min(1.0, (x1 - x0) * (y1 - y0) / cells.cell_area());
       const double reach = std::hypot(x1 - x0, y1 - y0);
-      const auto index = static_cast<std::size_t>(iy * cells.nx + ix);
+      const auto index = core::cell_index(cells.nx, ix, iy);
       share.values[index] = part;
       bool touched = false;
       const double mid_x = 0.5 * (x0 + x1), mid_y = 0.5 * (y0 + y1);

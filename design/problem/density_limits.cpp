@@ -5,13 +5,15 @@
 #include <utility>
 #include <vector>
 
+#include "core/math/cell_index.h"
+
 namespace evenglow::design {
 namespace {
 
 /// In place, the greatest field below `values` whose neighbors differ by at most `slope`: two sweeps carry the least
 /// value + slope x distance from every cell to every other (distance along the axes).
 void cap_slope(int nx, int ny, double slope, std::vector<double>& values) {
-  const auto at = [&](int ix, int iy) -> double& { return values[static_cast<std::size_t>(iy * nx + ix)]; };
+  const auto at = [&](int ix, int iy) -> double& { return values[core::cell_index(nx, ix, iy)]; };
   for (int iy = 0; iy < ny; ++iy) {
     for (int ix = 0; ix < nx; ++ix) {
       if (ix > 0) at(ix, iy) = std::min(at(ix, iy), at(ix - 1, iy) + slope);
@@ -31,7 +33,7 @@ void mirror_mean(core::CellField& field, bool along_x) {
   const int ny = field.grid.ny;
   for (int iy = 0; iy < ny; ++iy) {
     for (int ix = 0; ix < nx; ++ix) {
-      const auto i = static_cast<std::size_t>(iy * nx + ix);
+      const auto i = core::cell_index(nx, ix, iy);
       const auto j = static_cast<std::size_t>(along_x ? iy * nx + (nx - 1 - ix) : (ny - 1 - iy) * nx + ix);
       if (j <= i) continue;
       field.values[i] = field.values[j] = std::sqrt(field.values[i] * field.values[j]);

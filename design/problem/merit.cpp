@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/base/error.h"
+#include "core/math/cell_index.h"
 #include "design/problem/pair_statistic.h"
 
 namespace evenglow::design {
@@ -69,7 +70,7 @@ double spot(const CellField& field, Point at) {
     for (int ix = 0; ix < g.nx; ++ix) {
       if (std::hypot(g.center_x(ix) - x, g.center_y(iy) - y) > radius) continue;
       has_cells = true;
-      const double value = field.values[static_cast<std::size_t>(iy * g.nx + ix)];
+      const double value = field.values[core::cell_index(g.nx, ix, iy)];
       if (std::isnan(value)) continue;
       sum += value;
       ++count;

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "core/base/error.h"
+#include "core/math/cell_index.h"
 
 namespace evenglow::design {
 namespace {
@@ -48,7 +49,7 @@ core::CellField target_shape(const TargetSpec& spec, const core::CellGrid& displ
       // From -1 at the outer edge of the first cell to 1 at that of the last.
       const double u = (2.0 * ix + 1.0) / display.nx - 1.0;
       const double v = (2.0 * iy + 1.0) / display.ny - 1.0;
-      shape.values[static_cast<std::size_t>(iy * display.nx + ix)] = 1.0 - (1.0 - spec.corner) * 0.5 * (u * u + v * v);
+      shape.values[core::cell_index(display.nx, ix, iy)] = 1.0 - (1.0 - spec.corner) * 0.5 * (u * u + v * v);
     }
   }
   return shape;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/math/cell_index.h"
 #include "design/report/axis.h"
 
 namespace evenglow::design {
@@ -55,7 +56,7 @@ std::vector<Rgb> colors_of(const MapPlot& map) {
   colors.reserve(grid.size());
   for (int iy = grid.ny - 1; iy >= 0; --iy) {
     for (int ix = 0; ix < grid.nx; ++ix) {
-      const double value = map.field->values[static_cast<std::size_t>(iy * grid.nx + ix)];
+      const double value = map.field->values[core::cell_index(grid.nx, ix, iy)];
       colors.push_back(map.colors->at(map.scale.share(value)));
     }
   }

@@ -8,6 +8,7 @@
 #include <nlopt.hpp>
 
 #include "core/base/error.h"
+#include "core/math/cell_index.h"
 #include "design/updaters/level.h"
 
 namespace evenglow::design {
@@ -126,7 +127,7 @@ core::CellField spline_field(const core::CellGrid& grid, int nx, int ny, const s
   for (int iy = 0; iy < grid.ny; ++iy) {
     const std::vector<double> row = basis(ny, (iy + 0.5) / grid.ny);
     for (int ix = 0; ix < grid.nx; ++ix) {
-      double& value = field.values[static_cast<std::size_t>(iy * grid.nx + ix)];
+      double& value = field.values[core::cell_index(grid.nx, ix, iy)];
       for (std::size_t j = 0; j < row.size(); ++j) {
         for (std::size_t i = 0; i < columns[static_cast<std::size_t>(ix)].size(); ++i) {
           value +=
