@@ -151,12 +151,12 @@ TEST(LevelFront, MostEfficientKeepsTheBoundOfTheColorToEitherSide) {
     return *design_most_efficient({model, c.spec, c.limits, {core::CellField(c.backlight.grid, 0.05)}}, 0.05, {});
   };
   // Evener above: the search has to go up from a start that breaks the bound.
-  const EfficiencySearch up = search_of(with_color(c.model, [](double level) { return 0.005 / level; }));
+  const EfficiencySearch up = search_of(with_color(c.model, [](double level) { return 0.01 / level; }));
   EXPECT_TRUE(up.feasible);
   EXPECT_FALSE(up.points[up.best].breaks_color);
   EXPECT_GT(up.points[up.best].level, 0.06);
   // Evener below.
-  const EfficiencySearch down = search_of(with_color(c.model, [](double level) { return 2.0 * level; }));
+  const EfficiencySearch down = search_of(with_color(c.model, [](double level) { return 4.0 * level; }));
   EXPECT_TRUE(down.feasible);
   EXPECT_FALSE(down.points[down.best].breaks_color);
   EXPECT_LT(down.points[down.best].level, 0.05);

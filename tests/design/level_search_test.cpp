@@ -142,7 +142,7 @@ TEST(LevelSearch, GoesToALevelWhoseColorKeepsItsBound) {
   DesignSpec spec;
   spec.goal.color = 1.0;
   EXPECT_NEAR(chosen(model, 0.1, spec), knee_level, 1e-9) << "a bound that holds changes nothing";
-  spec.goal.color = 0.006;
+  spec.goal.color = 0.004;
   const auto choice = choose_level(model, flat(0.1), spec, 1000, 1000000);
   EXPECT_GT(0.1 * choice->factor, 1.1 * knee_level);
   EXPECT_NE(choice->note.find("the nearest that keeps it"), std::string::npos) << choice->note;

@@ -1,7 +1,8 @@
 #include "tracer/scene/refined_density.h"
 
 #include <cmath>
-#include <numeric>
+#include <set>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -59,7 +60,8 @@ TEST(RefinedDensity, KeepsTheMeanOfEachCellAndTheRangeOfTheField) {
     }
     EXPECT_GE(fine.min(), density.cells.min());
     EXPECT_LE(fine.max(), density.cells.max());
-    EXPECT_GT(fine.values[0] == fine.values[1] ? 0.0 : 1.0, 0.5) << "it does run within a cell";
+    const std::set<double> values(fine.values.begin(), fine.values.end());
+    EXPECT_GT(values.size(), 2 * density.cells.values.size()) << "it runs within cells";
   }
 }
 
