@@ -94,7 +94,8 @@ std::optional<Report> run_design_job(Run run, const RunContext& context) {
   report.notes.insert(report.notes.end(), progress.notes.begin(), progress.notes.end());
   report.notes.insert(report.notes.end(), progress.limit_notes.begin(), progress.limit_notes.end());
   take_observation(scene, run.design, *observation, report);
-  report.stop_reason = confirmed_reason(progress.stop_reason, report.final, run.design.stop_rms);
+  report.stop_reason = confirmed_goal(confirmed_reason(progress.stop_reason, report.final, run.design.stop_rms),
+                                      report.final, run.design.goal);
   tell_color(run.design, report);
   if (report.stop_reason != progress.stop_reason) context.progress.line(label(run, report.stop_reason));
   finish_timing(watch, report);

@@ -125,6 +125,16 @@ Json front_json(const design::Study& study, const Run& run, const std::vector<Fr
           {"points", std::move(rows)},     {"cpu_s", std::move(timing)}};
 }
 
+/// What an earlier front of more points has left: nobody may take it for a part of this one.
+void remove_points_from(std::size_t number, const std::filesystem::path& directory) {
+  std::error_code ignored;
+  for (bool found = true; found; ++number) {
+    found = false;
+    for (const char* name : {"density", "luminance"})
+      found = std::filesystem::remove(directory / fmt::format("{}_{:02}.csv", name, number), ignored) || found;
+  }
+}
+
 }  // namespace
 
 design::Study front_study(const Run& run, const std::string& command, const std::vector<FrontPoint>& points) {
@@ -177,6 +187,7 @@ void write_front(const design::Study& study, const Run& run, const std::vector<F
     design::write_file(directory / fmt::format("luminance_{:02}.csv", i + 1),
                        design::matrix_csv(points[i].luminance, "luminance (cd/m2)"));
   }
+  remove_points_from(points.size() + 1, directory);
 }
 
 }  // namespace evenglow::app

@@ -11,6 +11,7 @@
 #include "design/engine/checkpoint.h"
 #include "design/engine/design_start.h"
 #include "design/engine/state_file.h"
+#include "design/engine/stop_rule.h"
 #include "design/engine/traced_model.h"
 #include "tracer/scene/refined_density.h"
 
@@ -132,6 +133,10 @@ std::optional<Report> run_efficiency_job(Run run, const RunContext& context) {
   report.start_luminance = log.start_luminance[search->best];
   for (const design::FrontPoint& point : search->points) report.notes.push_back(point_note(point));
   take_observation(scene, spec, *observation, report);
+  if (search->feasible && !design::shows_bound(report.final.rms_corrected, spec.goal.rms)) {
+    report.stop_reason += fmt::format("; the final trace does not show it: {:.2f} +- {:.2f} %",
+                                      100.0 * report.final.rms_corrected.value, 100.0 * report.final.rms_corrected.se);
+  }
   tell_color(spec, report);
   finish_timing(watch, report);
   for (int i = 1; i < static_cast<int>(search->points.size()); ++i)

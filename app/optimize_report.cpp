@@ -9,6 +9,7 @@
 #include "core/base/error.h"
 #include "core/base/version.h"
 #include "design/engine/state_file.h"
+#include "design/engine/stop_rule.h"
 #include "design/report/number_format.h"
 #include "design/report/output_file.h"
 
@@ -47,7 +48,7 @@ core::Estimate gain_of(const OptimizeVerdict& verdict) {
 }
 
 bool keeps(const OuterResult& result, double bound) {
-  return result.rms.value - result.rms.se <= bound;
+  return design::shows_bound(result.rms, bound);
 }
 
 std::string percent(double share) {
@@ -191,7 +192,7 @@ void write_optimize(const design::Study& study, const Run& run, const std::vecto
                   {"rms_bound", run.outer.rms},
                   {"keys", std::move(keys)},
                   {"designs", std::move(rows)},
-                  {"feasible", verdict.feasible},
+                  {"feasible", verdict.feasible && keeps(verdict.improved, run.outer.rms)},
                   {"best", verdict.best},
                   {"judged_anew",
                    {{"start", to_json(verdict.start)},

@@ -7,6 +7,7 @@
 #include <fmt/ranges.h>
 
 #include "app/output_directory.h"
+#include "design/problem/target.h"
 #include "design/report/writer_registry.h"
 #include "tracer/transport/planar_scene.h"
 
@@ -52,6 +53,12 @@ void check_design(const core::ConfigNode& root, const Run& run) {
   if (run.design.goal.color && !run.backlight.color) {
     design.map("subject_to", "bounds of the design")
         .fault_at("color", "needs a receiver of kind color in backlight.receivers, got none");
+  }
+  const core::CellGrid& display = run.backlight.luminance.cells;
+  if (!run.design.mask.empty() && display.size() > 0 &&
+      design::counted_cells(run.design, design::target_shape(run.design.target, display)).empty()) {
+    design.fault_at("mask", fmt::format("must leave at least one of the {} x {} cells of the display, got none",
+                                        display.nx, display.ny));
   }
   const bool derived = run.design.updater == "gradient" || run.design.updater == "coarse_newton";
   if (derived && run.backlight.microstructure && run.backlight.microstructure->subcells > 1) {

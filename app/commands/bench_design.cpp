@@ -150,7 +150,15 @@ int BenchDesignCommand::run(const Session& session) {
                          kThresholds, updater_names(updaters_)};
   std::vector<std::filesystem::path> files = options_.files;
   if (files.empty() && full_) files.assign(std::begin(kFullCases), std::end(kFullCases));
-  if (files.empty()) files = {kSmallCase};
+  if (files.empty()) {
+    std::error_code ignored;
+    if (!std::filesystem::exists(kSmallCase, ignored)) {
+      throw core::ConfigError(
+          core::Fault{"bench-design", 0, 0, "",
+                      fmt::format("must be given a run file where there is no {}, got none", kSmallCase)});
+    }
+    files = {kSmallCase};
+  }
   const std::filesystem::path directory =
       options_.out.empty() ? std::filesystem::path("out/bench_design") : options_.out;
   for (const auto& file : files) read_run(file, options_, Purpose::kDesign);  // all faults before the first photon

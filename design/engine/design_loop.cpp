@@ -13,6 +13,7 @@
 #include "design/engine/stop_rule.h"
 #include "design/problem/density_limits.h"
 #include "design/problem/target.h"
+#include "design/updaters/level.h"
 
 namespace evenglow::design {
 namespace {
@@ -20,7 +21,8 @@ namespace {
 constexpr double kSettledLevel = 0.05;
 constexpr double kRoughlyRight = 0.3;  // RMS below which the level is chosen
 constexpr double kLevelStep = 1.25;    // largest factor of a correction of the level
-constexpr double kLeastSlope = 0.05;   // below it the efficiency does not hear the level
+constexpr double kLevelMissed = 1e-3;
+constexpr double kLeastSlope = 0.05;  // below it the efficiency does not hear the level
 
 bool level_rests(const DesignProgress& progress, const DesignSpec& spec, const Proposal& proposal) {
   if (spec.level) return true;
@@ -50,8 +52,9 @@ class Loop {
     Proposal proposal = updater_->propose(*state, spec_, progress_.memory);
     if (updater_->wants_records()) record.cpu_s += core::process_cpu_seconds() - cpu;
     record.updater = proposal.method.empty() ? spec_.updater : proposal.method;
-    record.held_low = proposal.clipped_low;
-    record.held_high = proposal.clipped_high;
+    const HeldCells held = held_cells(cell_limits(spec_, state->density.cells.grid), state->density.cells);
+    record.held_low = held.low;
+    record.held_high = held.high;
     progress_.steps.push_back(record);
     keep_best(record, state->density);
     if (!settle_level(*state, proposal)) {
@@ -59,7 +62,7 @@ class Loop {
       return false;
     }
     if (!proposal.note.empty()) progress_.notes.push_back(fmt::format("Step {}: {}", record.step, proposal.note));
-    tell_limits(proposal);
+    tell_limits();
     progress_.stop_reason = stop_reason(
         {progress_.steps, progress_.best_rms, updater_->patience(spec_), level_rests(progress_, spec_, proposal)},
         spec_, limits_);
@@ -106,23 +109,35 @@ class Loop {
     progress_.best_density = density;
   }
 
-  void tell_limits(const Proposal& proposal) {
+  /// Of the best density so far.
+  void tell_limits() {
     progress_.limit_notes.clear();
-    const double cells = static_cast<double>(proposal.density.cells.values.size());
-    const auto tell = [&](int count, const char* limit, double value) {
+    const core::CellField& density = progress_.best_density.cells;
+    const CellLimits limits = cell_limits(spec_, density.grid);
+    const auto tell = [&](int count, const char* limit, double value, const core::CellField& of_cells) {
       if (count == 0) return;
-      progress_.limit_notes.push_back(fmt::format("The {} limit of the density ({}) holds {} cells ({:.2f} %).", limit,
-                                                  value, count, 100.0 * count / cells));
+      const bool one = of_cells.max() - of_cells.min() <= 0.0;
+      progress_.limit_notes.push_back(fmt::format(
+          "The {} limit of the density ({}) holds {} cells ({:.2f} %).", limit,
+          one ? fmt::format("{}", value) : fmt::format("{} to {}, cell by cell", of_cells.min(), of_cells.max()), count,
+          100.0 * count / static_cast<double>(density.values.size())));
     };
-    tell(proposal.clipped_low, "lower", spec_.density_min);
-    tell(proposal.clipped_high, "upper", spec_.density_max);
+    const HeldCells held = held_cells(limits, density);
+    tell(held.low, "lower", spec_.density_min, limits.least);
+    tell(held.high, "upper", spec_.density_max, limits.largest);
+    if (spec_.level && std::abs(std::log(density.mean() / *spec_.level)) > kLevelMissed) {
+      progress_.limit_notes.push_back(fmt::format(
+          "The limits of the cells keep the level at {:.4f}; {:.4f} was asked for.", density.mean(), *spec_.level));
+    }
   }
 
   void scale_level(double factor, Proposal& proposal) const {
-    for (double& density : proposal.density.cells.values) density *= factor;
     const CellLimits cells = cell_limits(spec_, proposal.density.cells.grid);
+    const double before = proposal.density.cells.mean();
+    const double scale = scale_to_mean(proposal.density.cells, cells, factor * before);
+    for (double& density : proposal.density.cells.values) density *= scale;
     proposal.density = within(cells, std::move(proposal.density));
-    proposal.level_change *= factor;
+    proposal.level_change *= proposal.density.cells.mean() / before;
   }
 
   /// Chooses the level once the shape is roughly right, and keeps the wanted efficiency later on. False: interrupted.
@@ -182,7 +197,9 @@ class Loop {
 DesignProgress start_design(tracer::DensityField density, const DesignSpec& spec, const DesignLimits& limits) {
   DesignProgress progress;
   const CellLimits cells = cell_limits(spec, density.cells.grid);
-  progress.density = within(cells, std::move(density));
+  density = within(cells, std::move(density));
+  const double mean = density.cells.mean();
+  progress.density = with_level(std::move(density), mean, spec).density;
   progress.best_density = progress.density;
   progress.photons = std::min(limits.first_photons, limits.largest_photons);
   return progress;

@@ -36,9 +36,9 @@ ForwardModel own_numbers(const ForwardModel& model, int point) {
 }
 
 tracer::DensityField at_level(tracer::DensityField density, double level, const DesignSpec& spec) {
-  const double factor = level / density.cells.mean();
-  for (double& value : density.cells.values) value *= factor;
   const CellLimits limits = cell_limits(spec, density.cells.grid);
+  const double scale = scale_to_mean(density.cells, limits, level);
+  for (double& value : density.cells.values) value *= scale;
   return within(limits, std::move(density));
 }
 
@@ -66,8 +66,9 @@ std::optional<FrontPoint> design_point(const FrontJob& job, int number, double l
   point.luminance = judging->map.luminance;
   point.stop_reason = confirmed_reason(progress->stop_reason, point.judged, spec.stop_rms);
   point.steps = static_cast<int>(progress->steps.size());
-  point.held_low = progress->steps.back().held_low;
-  point.held_high = progress->steps.back().held_high;
+  const HeldCells held = held_cells(cell_limits(spec, point.density.grid), point.density);
+  point.held_low = held.low;
+  point.held_high = held.high;
   point.photons = judging->photons;
   point.cpu_s = judging->cpu_s;
   for (const StepRecord& step : progress->steps) {
@@ -79,7 +80,7 @@ std::optional<FrontPoint> design_point(const FrontJob& job, int number, double l
 }
 
 bool keeps_rms(const FrontPoint& point, double rms) {
-  return point.judged.rms_corrected.value <= rms + point.judged.rms_corrected.se;
+  return shows_bound(point.judged.rms_corrected, rms);
 }
 
 bool keeps(const FrontPoint& point, double rms) {

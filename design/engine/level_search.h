@@ -29,7 +29,8 @@ struct LevelChoice {
 ///
 /// Levels are tried within a factor of 3 of the given density, as far as no further cell comes to a limit: the fullest
 /// cell stays below 3/4 of its upper limit (the shape grows steeper with the level), and no cell that is free comes
-/// below its lower limit. Empty: interrupted.
+/// below its lower limit. Where what is looked for lies beyond that factor (and no limit is in the way), they are tried
+/// again around the end of the range, up to three times: the choice does not hang on the start. Empty: interrupted.
 std::optional<LevelChoice> choose_level(const ForwardModel& model, const tracer::DensityField& density,
                                         const DesignSpec& spec, std::uint64_t photons, std::uint64_t most);
 

@@ -4,7 +4,10 @@
 #include <cmath>
 #include <utility>
 
+#include <fmt/core.h>
 #include <nlopt.hpp>
+
+#include "design/engine/stop_rule.h"
 
 namespace evenglow::design {
 namespace {
@@ -16,6 +19,11 @@ constexpr double kPenalty = 0.5;
 constexpr double kFirstStep = 0.25;
 constexpr double kLastStep = 0.02;
 
+/// Of a design that does not show that it keeps the bound: by how much its RMS passes it, or may pass it.
+double excess_over(const core::Estimate& rms, double bound) {
+  return std::max({0.0, rms.value - rms.se - bound, rms.se - bound});
+}
+
 OuterVariable read_variable(const ConfigNode& node) {
   OuterVariable variable;
   variable.key = node.text({"key", "path of a number in the run file, as in --set", std::nullopt, 200});
@@ -25,11 +33,15 @@ OuterVariable read_variable(const ConfigNode& node) {
     variable.high = range[1];
     if (!(range[0] < range[1])) node.fault_at("range", "must be two numbers, least < largest");
   }
-  const double middle = 0.5 * (variable.low + variable.high);
+  variable.whole = node.boolean({"whole", "only whole numbers (counts)", false});
+  double middle = 0.5 * (variable.low + variable.high);
+  if (variable.whole) middle = std::round(middle);
   variable.start =
       node.optional_number({"start", "value of the first design; left out: the middle", Range::any()}).value_or(middle);
   if (variable.start < variable.low || variable.start > variable.high) node.fault_at("start", "must lie in the range");
-  variable.whole = node.boolean({"whole", "only whole numbers (counts)", false});
+  if (variable.whole && variable.start != std::round(variable.start))
+    node.fault_at("start", fmt::format("must be a whole number, got {}", variable.start));
+  if (variable.key == "trace.seed") node.fault_at("key", "must not be the seed: the luckiest noise would win");
   return variable;
 }
 
@@ -105,7 +117,13 @@ OuterSpec read_outer(const ConfigNode& root) {
   const bool british = root.has("optimise");
   if (british && root.has("optimize")) root.fault_at("optimise", "must not stand beside optimize, got both");
   const auto nodes = root.maps(british ? "optimise" : "optimize", "scalar keys that evenglow optimize turns", 20);
-  for (const ConfigNode& node : nodes) spec.variables.push_back(read_variable(node));
+  for (const ConfigNode& node : nodes) {
+    OuterVariable variable = read_variable(node);
+    const bool twice = std::any_of(spec.variables.begin(), spec.variables.end(),
+                                   [&](const OuterVariable& other) { return other.key == variable.key; });
+    if (twice) node.fault_at("key", "must not stand in the list twice, got " + variable.key);
+    spec.variables.push_back(std::move(variable));
+  }
   const ConfigNode node = root.map("optimizer", "how evenglow optimize searches");
   spec.method = node.choice(
       {"method", "search of NLopt, without derivatives", {"cobyla", "bobyqa", "sbplx"}, std::string(spec.method)});
@@ -119,7 +137,7 @@ OuterSpec read_outer(const ConfigNode& root) {
 }
 
 double outer_merit(const OuterResult& result, double rms_bound) {
-  const double excess = std::max(0.0, result.rms.value - result.rms.se - rms_bound) / rms_bound;
+  const double excess = shows_bound(result.rms, rms_bound) ? 0.0 : excess_over(result.rms, rms_bound) / rms_bound;
   return -result.efficiency.value + kPenalty * excess;
 }
 

@@ -1,6 +1,7 @@
 #include "design/engine/stop_rule.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <fmt/core.h>
 
@@ -11,6 +12,7 @@ namespace {
 
 constexpr double kStallGain = 0.05;
 constexpr double kMostError = 0.5;  // of the squared RMS, over that to reach
+constexpr double kSameLevel = 0.1;  // of the mean density
 constexpr double kClearly = 2.0;    // standard errors
 constexpr const char* kReached = "reached: ";
 
@@ -21,11 +23,18 @@ bool stalled(const DesignCourse& course, const DesignLimits& limits) {
   // More photons would help where noise may hide what is left.
   const StepRecord& first = *(recent - 1);
   if (first.photons < limits.largest_photons && first.rms_corrected.value < first.noise) return false;
-  const auto less = [](const StepRecord& a, const StepRecord& b) {
-    return a.rms_corrected.value < b.rms_corrected.value;
-  };
-  const double before = std::min_element(steps.begin(), recent, less)->rms_corrected.value;
-  return std::min_element(recent, steps.end(), less)->rms_corrected.value > (1.0 - kStallGain) * before;
+  // Steps of another level, or whose square says less than its own error, are no measure.
+  const double level = steps.back().mean_density;
+  double before = kNoneYet;
+  for (auto step = steps.begin(); step != recent; ++step) {
+    const core::Estimate square = signed_square(step->rms_corrected);
+    if (std::abs(step->mean_density - level) > kSameLevel * level || square.value < square.se) continue;
+    before = std::min(before, square.value);
+  }
+  if (before >= kNoneYet) return false;
+  const double gain = (1.0 - kStallGain) * (1.0 - kStallGain);
+  return std::all_of(recent, steps.end(),
+                     [&](const StepRecord& step) { return signed_square(step.rms_corrected).value > gain * before; });
 }
 
 std::string percent(const core::Estimate& rms) {
@@ -38,6 +47,11 @@ bool reached(const StepRecord& record, const DesignSpec& spec) {
   const core::Estimate square = signed_square(record.rms_corrected);
   const double bound = spec.stop_rms * spec.stop_rms;
   return square.value + square.se <= bound && square.se <= kMostError * bound;
+}
+
+bool shows_bound(const core::Estimate& rms, double bound) {
+  const core::Estimate square = signed_square(rms);
+  return square.value - square.se <= bound * bound && square.se <= bound * bound;
 }
 
 std::string stop_reason(const DesignCourse& course, const DesignSpec& spec, const DesignLimits& limits) {
@@ -53,6 +67,14 @@ std::string stop_reason(const DesignCourse& course, const DesignSpec& spec, cons
   }
   if (record.step >= spec.max_steps) return fmt::format("max_steps: {} steps were made", spec.max_steps);
   return {};
+}
+
+std::string confirmed_goal(const std::string& reason, const FinalJudgment& judged, const GoalSpec& goal) {
+  if (goal.kind != "min_rms") return reason;
+  const core::Estimate& efficiency = judged.efficiency;
+  if (efficiency.value + kClearly * efficiency.se >= goal.efficiency) return reason;
+  return fmt::format("missed: the independent trace shows an efficiency of {} (wanted {:.2f} %); before it, {}",
+                     percent(efficiency), 100.0 * goal.efficiency, reason);
 }
 
 std::string confirmed_reason(const std::string& reason, const FinalJudgment& judged, double bound) {

@@ -18,6 +18,10 @@ inline constexpr double kNoneYet = 1e9;  ///< best RMS so far where there is non
 /// with less the smaller the error is.
 bool reached(const StepRecord& record, const DesignSpec& spec);
 
+/// Does a judgment show that a bound of the RMS is kept within a standard error? Its square must be known to the square
+/// of the bound: noise that hides the RMS is no evenness.
+bool shows_bound(const core::Estimate& rms, double bound);
+
 /// What the rule looks at beside the spec.
 struct DesignCourse {
   const std::vector<StepRecord>& steps;
@@ -29,13 +33,18 @@ struct DesignCourse {
 /// One sentence, or nothing as long as the design goes on. It ends, in this order,
 ///
 /// 1. reached, and the level rests;
-/// 2. stalled: the steps of the patience brought no gain of 5 %, at the largest number of photons or with less noise in
-///    a cell than RMS;
+/// 2. stalled: the steps of the patience brought no gain of 5 % over the earlier ones of that level whose RMS can be
+/// told
+///    from noise, at the largest number of photons or with less noise in a cell than RMS;
 /// 3. after `max_steps`.
 std::string stop_reason(const DesignCourse& course, const DesignSpec& spec, const DesignLimits& limits);
 
 /// The reason after the independent trace has judged the design. Of a bound that was reached it tells when that trace
 /// shows an RMS above it: by more than two standard errors (the bound is then missed), or within them.
 std::string confirmed_reason(const std::string& reason, const FinalJudgment& judged, double bound);
+
+/// The same of the efficiency that the goal min_rms must keep: told where it is missed by more than two standard
+/// errors.
+std::string confirmed_goal(const std::string& reason, const FinalJudgment& judged, const GoalSpec& goal);
 
 }  // namespace evenglow::design

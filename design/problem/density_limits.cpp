@@ -10,6 +10,9 @@
 namespace evenglow::design {
 namespace {
 
+constexpr int kBisections = 60;
+constexpr double kAtLimit = 1e-9;  // relative
+
 /// In place, the greatest field below `values` whose neighbors differ by at most `slope`: two sweeps carry the least
 /// value + slope x distance from every cell to every other (distance along the axes).
 void cap_slope(int nx, int ny, double slope, std::vector<double>& values) {
@@ -41,6 +44,39 @@ void mirror_mean(core::CellField& field, bool along_x) {
   }
 }
 
+/// The logarithms of a field as `change` leaves them.
+template <typename Change>
+void in_logarithms(core::CellField& field, double sign, const Change& change) {
+  std::vector<double> logs;
+  for (const double value : field.values) logs.push_back(sign * std::log(value));
+  const std::vector<double> before = logs;
+  change(logs);
+  for (std::size_t i = 0; i < logs.size(); ++i) {
+    if (logs[i] != before[i]) field.values[i] = std::exp(sign * logs[i]);
+  }
+}
+
+/// Both of two mirror images take the tighter limit.
+void mirror_limits(bool along_x, CellLimits& limits) {
+  const int nx = limits.least.grid.nx, ny = limits.least.grid.ny;
+  for (int iy = 0; iy < ny; ++iy) {
+    for (int ix = 0; ix < nx; ++ix) {
+      const std::size_t i = core::cell_index(nx, ix, iy);
+      const std::size_t j = along_x ? core::cell_index(nx, nx - 1 - ix, iy) : core::cell_index(nx, ix, ny - 1 - iy);
+      limits.largest.values[i] = limits.largest.values[j] =
+          std::min(limits.largest.values[i], limits.largest.values[j]);
+      limits.least.values[i] = limits.least.values[j] = std::max(limits.least.values[i], limits.least.values[j]);
+    }
+  }
+}
+
+double clamped_mean(const core::CellField& shape, const CellLimits& limits, double scale) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < shape.values.size(); ++i)
+    sum += std::clamp(scale * shape.values[i], limits.least.values[i], limits.largest.values[i]);
+  return sum / static_cast<double>(shape.values.size());
+}
+
 }  // namespace
 
 CellLimits cell_limits(const DesignSpec& spec, const core::CellGrid& cells) {
@@ -49,10 +85,21 @@ CellLimits cell_limits(const DesignSpec& spec, const core::CellGrid& cells) {
     limits.largest = spec.largest_map.over(cells);
     for (double& value : limits.largest.values) value = std::clamp(value, spec.density_min, spec.density_max);
   }
-  if (!spec.least_map.empty()) limits.least = spec.least_map.over(cells);
+  if (!spec.least_map.empty()) {
+    limits.least = spec.least_map.over(cells);
+    for (double& value : limits.least.values) value = std::max(value, spec.density_min);
+  }
+  if (spec.symmetry == "x" || spec.symmetry == "both") mirror_limits(true, limits);
+  if (spec.symmetry == "y" || spec.symmetry == "both") mirror_limits(false, limits);
+  if (spec.neighbor_ratio) {
+    const auto tighten = [&](std::vector<double>& logs) {
+      cap_slope(cells.nx, cells.ny, std::log(*spec.neighbor_ratio), logs);
+    };
+    in_logarithms(limits.largest, 1.0, tighten);
+    in_logarithms(limits.least, -1.0, tighten);
+  }
   for (std::size_t i = 0; i < limits.least.values.size(); ++i) {
-    double& least = limits.least.values[i];
-    least = std::min(std::max(least, spec.density_min), limits.largest.values[i]);
+    limits.least.values[i] = std::min(limits.least.values[i], limits.largest.values[i]);
   }
   return limits;
 }
@@ -62,6 +109,29 @@ tracer::DensityField within(const CellLimits& limits, tracer::DensityField densi
     density.cells.values[i] = std::clamp(density.cells.values[i], limits.least.values[i], limits.largest.values[i]);
   }
   return density;
+}
+
+double scale_to_mean(const core::CellField& shape, const CellLimits& limits, double mean) {
+  const double plain = mean / shape.mean();
+  const HeldCells held = held_cells(limits, shape, plain);
+  if (held.low + held.high == 0) return plain;
+  double low = plain, high = plain;
+  while (clamped_mean(shape, limits, low) > mean && low > 1e-6 * plain) low *= 0.5;
+  while (clamped_mean(shape, limits, high) < mean && high < 1e6 * plain) high *= 2.0;
+  for (int i = 0; i < kBisections; ++i) {
+    const double middle = std::sqrt(low * high);
+    (clamped_mean(shape, limits, middle) < mean ? low : high) = middle;
+  }
+  return high;
+}
+
+HeldCells held_cells(const CellLimits& limits, const core::CellField& density, double scale) {
+  HeldCells held;
+  for (std::size_t i = 0; i < density.values.size(); ++i) {
+    held.low += scale * density.values[i] < limits.least.values[i] * (1.0 + kAtLimit);
+    held.high += scale * density.values[i] > limits.largest.values[i] * (1.0 - kAtLimit);
+  }
+  return held;
 }
 
 void make_symmetric(const DesignSpec& spec, core::CellField& density) {

@@ -70,6 +70,16 @@ void read_limits(const ConfigNode& node, DesignSpec& spec) {
   const ConfigNode files = node.map("density_files", "limits cell by cell, as matrices over the plate");
   spec.least_map = read_map_key(files, {"least", "least density of each cell", std::string()}, kLimitRange);
   spec.largest_map = read_map_key(files, {"largest", "largest density of each cell", std::string()}, kLimitRange);
+  const auto& largest = spec.largest_map.values;
+  if (!largest.empty() && *std::min_element(largest.begin(), largest.end()) < spec.density_min) {
+    files.fault_at("largest", fmt::format("must be at least the least density of all cells, {}, in every cell, got {}",
+                                          spec.density_min, *std::min_element(largest.begin(), largest.end())));
+  }
+  const auto& least = spec.least_map.values;
+  if (!least.empty() && *std::max_element(least.begin(), least.end()) > spec.density_max) {
+    files.fault_at("least", fmt::format("must be at most the largest density of all cells, {}, in every cell, got {}",
+                                        spec.density_max, *std::max_element(least.begin(), least.end())));
+  }
   spec.neighbor_ratio =
       node.optional_number({"neighbor_ratio", "greatest ratio of the densities of neighboring cells; left out: any",
                             Range::closed(1.001, 1000)});
@@ -94,6 +104,12 @@ void read_level(const ConfigNode& node, DesignSpec& spec) {
       node.numbers({"pareto_levels", "mean densities at which evenglow pareto designs; left out: chosen",
                     Range{0, 1, true, true}, 0, 100, std::vector<double>{}});
   std::sort(spec.pareto_levels.begin(), spec.pareto_levels.end());
+  for (const double level : spec.pareto_levels) {
+    if (level >= spec.density_min && level <= spec.density_max) continue;
+    node.fault_at("pareto_levels", fmt::format("must lie between the limits of the density, [{}, {}], got {}",
+                                               spec.density_min, spec.density_max, level));
+    break;
+  }
 }
 
 }  // namespace

@@ -144,7 +144,7 @@ Evenness evenness(const Tally& luminance) {
   const core::Estimate square = pair_statistic(products_of(y));
   result.rms_corrected = signed_root(square.value, square.se);
   result.low = std::sqrt(std::max(0.0, square.value - kTwoSided95 * square.se));
-  result.high = std::sqrt(std::max(0.0, square.value + kTwoSided95 * square.se));
+  result.high = std::sqrt(std::max(0.0, square.value) + kTwoSided95 * square.se);
   return result;
 }
 

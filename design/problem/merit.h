@@ -14,7 +14,8 @@ struct Evenness {
   double rms = 0.0;  ///< of the map as it is, noise included
   core::Estimate
       rms_corrected;  ///< without the noise; signed root, negative where noise alone explains more than is seen
-  double low = 0.0;   ///< 95 % confidence interval of the RMS without noise: that of its square, which is normal
+  double low = 0.0;   ///< 95 % confidence interval of the RMS without noise: that of its square, which is normal; a
+                      ///< square below 0 counts as 0 for the upper end, so that it is never empty
   double high = 0.0;
   core::Estimate mean;  ///< of the map, unit of the tally
 };

@@ -6,6 +6,12 @@
 #include "core/base/error.h"
 
 namespace evenglow::design {
+namespace {
+
+/// (1/2 / 0.893)^2: the signed root of a normal number of mean 0 and unit width scatters by 0.893.
+constexpr double kLost = 0.3133;
+
+}  // namespace
 
 core::Estimate pair_statistic(const BatchProducts& h) {
   const std::size_t B = h.batches();
@@ -35,14 +41,17 @@ core::Estimate pair_statistic(const BatchProducts& h) {
 
 core::Estimate signed_root(double square, double se) {
   const double root = std::copysign(std::sqrt(std::abs(square)), square);
-  const double scale = std::max(std::abs(root), std::sqrt(se));
-  return {root, scale > 0.0 ? 0.5 * se / scale : 0.0};
+  if (!(se > 0.0)) return {root, 0.0};
+  return {root, 0.5 * std::sqrt(se / std::max(std::abs(square) / se - 1.0, kLost))};
 }
 
 core::Estimate signed_square(const core::Estimate& root) {
-  const double size = std::abs(root.value);
-  const bool lost = root.se > 0.5 * size;  // the value is smaller than the root of the square's error
-  return {root.value * size, lost ? 4.0 * root.se * root.se : 2.0 * root.se * size};
+  const double size = std::abs(root.value), square = root.value * size;
+  if (!(root.se > 0.0)) return {square, 0.0};
+  const double lost = 4.0 * kLost * root.se * root.se;  // the error of a square that is lost in it
+  if (size * size <= (1.0 + kLost) * lost) return {square, lost};
+  const double inverse = size / root.se;
+  return {square, 2.0 * size * size / (1.0 + std::sqrt(1.0 + inverse * inverse))};
 }
 
 }  // namespace evenglow::design

@@ -55,15 +55,23 @@ core::CellField target_shape(const TargetSpec& spec, const core::CellGrid& displ
   return shape;
 }
 
-Target::Target(const DesignSpec& spec, const core::CellGrid& display) : relative_(target_shape(spec.target, display)) {
-  const core::CellField mask = spec.mask.empty() ? core::CellField(display, 1.0) : spec.mask.over(display);
-  const double largest = relative_.max();
-  double sum = 0.0;
+std::vector<std::size_t> counted_cells(const DesignSpec& spec, const core::CellField& shape) {
+  const core::CellField mask = spec.mask.empty() ? core::CellField(shape.grid, 1.0) : spec.mask.over(shape.grid);
+  const double largest = shape.max();
+  std::vector<std::size_t> counted;
   for (std::size_t i = 0; i < mask.values.size(); ++i) {
-    const bool counts = mask.values[i] >= 0.5 && relative_.values[i] > kCountsFrom * largest;
-    if (!counts) relative_.values[i] = 0.0;
-    if (counts) counted_.push_back(i);
-    sum += relative_.values[i];
+    if (mask.values[i] >= 0.5 && shape.values[i] > kCountsFrom * largest) counted.push_back(i);
+  }
+  return counted;
+}
+
+Target::Target(const DesignSpec& spec, const core::CellGrid& display)
+    : relative_(display, 0.0), counted_(counted_cells(spec, target_shape(spec.target, display))) {
+  const core::CellField shape = target_shape(spec.target, display);
+  double sum = 0.0;
+  for (const std::size_t i : counted_) {
+    relative_.values[i] = shape.values[i];
+    sum += shape.values[i];
   }
   core::expects(!counted_.empty(), "a target or mask leaves at least one cell of the display");
   for (double& value : relative_.values) value *= static_cast<double>(counted_.size()) / sum;

@@ -41,6 +41,10 @@ class Target {
   std::vector<std::size_t> nearest_;  ///< for each cell, the nearest one that counts
 };
 
+/// The cells of the display, on which a target has this shape, that count: the mask holds 0.5 at least, the shape more
+/// than next to nothing. None: a design has nothing to look at.
+std::vector<std::size_t> counted_cells(const DesignSpec& spec, const core::CellField& shape);
+
 /// `uniform` 1; `center_weighted`: 1 - (1 - corner) (u^2 + v^2) / 2 with u, v from -1 to 1 across the display, so that
 /// the corners have `corner` of the center and the middles of the sides lie between; a map: its values.
 core::CellField target_shape(const TargetSpec& spec, const core::CellGrid& display);

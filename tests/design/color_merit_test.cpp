@@ -10,6 +10,7 @@
 #include "core/base/error.h"
 #include "core/light/cie_1931.h"
 #include "core/light/color.h"
+#include "design/problem/pair_statistic.h"
 
 /// Displays lit by two wavelengths whose shares are known in each cell: so are u', v' and all distances. Counts are
 /// Poisson's. Seeds fixed; what each test may raise by chance is said at it.
@@ -120,11 +121,9 @@ TEST(ColorMerit, PullsOfTheSquaredRmsHaveUnitWidth) {
     double values = 0.0, raw = 0.0;
     for (int i = 0; i < 300; ++i) {
       const ColorJudgment color = judge(draw(display, random));
-      const core::Estimate& root = color.rms_corrected;
-      const double size = std::abs(root.value);
-      const double se = size >= 2.0 * root.se ? 2.0 * root.se * size : 4.0 * root.se * root.se;
-      pulls.add({root.value * size, se}, display.mean_square());
-      values += root.value * size / 300.0;
+      const core::Estimate square = signed_square(color.rms_corrected);
+      pulls.add(square, display.mean_square());
+      values += square.value / 300.0;
       raw += color.rms / 300.0;
     }
     std::printf("tilt %.2f common %.2f: raw %.5f, corrected %.5f, true %.5f, pull %.3f +- %.3f\n", display.tilt,

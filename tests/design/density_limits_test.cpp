@@ -82,5 +82,60 @@ TEST(DensityLimits, MapsNarrowTheNumbers) {
   EXPECT_EQ(within(limits, density).cells.values, (std::vector<double>{0.6, 0.1}));
 }
 
+/// Limits cell by cell take nothing of what the density keeps: ratio of neighbors and mirror images.
+TEST(CellLimits, AreAsSmoothAndSymmetricAsTheDensityMustBe) {
+  DesignSpec spec;
+  spec.density_min = 0.01;
+  spec.density_max = 0.8;
+  spec.neighbor_ratio = 1.5;
+  spec.symmetry = std::string(1, 'x');
+  spec.largest_map.nx = 8;
+  spec.largest_map.ny = 1;
+  spec.largest_map.values = {0.8, 0.8, 0.05, 0.8, 0.8, 0.8, 0.8, 0.8};
+  const core::CellGrid grid = core::CellGrid::over(8, 1, 0, 0, 8, 1);
+  const CellLimits limits = cell_limits(spec, grid);
+  EXPECT_DOUBLE_EQ(limits.largest.values[2], 0.05);
+  EXPECT_DOUBLE_EQ(limits.largest.values[5], 0.05) << "its mirror image";
+  tracer::DensityField density{core::CellField(grid, 0.4)};
+  density = within(limits, std::move(density));
+  for (std::size_t i = 0; i < 7; ++i) {
+    const double ratio = density.cells.values[i + 1] / density.cells.values[i];
+    EXPECT_LT(std::max(ratio, 1.0 / ratio), 1.5 + 1e-9) << i;
+  }
+}
+
+TEST(ScaleToMean, BringsTheMeanWithinTheLimits) {
+  DesignSpec spec;
+  spec.density_min = 0.01;
+  spec.density_max = 0.3;
+  const core::CellGrid grid = core::CellGrid::over(4, 1, 0, 0, 4, 1);
+  core::CellField shape(grid, 1.0);
+  shape.values = {1.0, 2.0, 4.0, 8.0};
+  const CellLimits limits = cell_limits(spec, grid);
+  const auto mean_at = [&](double mean) {
+    const double scale = scale_to_mean(shape, limits, mean);
+    tracer::DensityField density{shape};
+    for (double& value : density.cells.values) value *= scale;
+    return within(limits, std::move(density)).cells.mean();
+  };
+  EXPECT_DOUBLE_EQ(scale_to_mean(shape, limits, 0.1), 0.1 / 3.75) << "no limit in the way";
+  EXPECT_NEAR(mean_at(0.2), 0.2, 1e-12) << "the largest stands at 0.3";
+  EXPECT_NEAR(mean_at(0.5), 0.3, 1e-12) << "as far as the limits go";
+  EXPECT_NEAR(mean_at(0.001), 0.01, 1e-12);
+}
+
+TEST(HeldCells, AreThoseAtALimit) {
+  DesignSpec spec;
+  spec.density_min = 0.01;
+  spec.density_max = 0.3;
+  core::CellField density(core::CellGrid::over(4, 1, 0, 0, 4, 1), 0.1);
+  density.values[0] = 0.01;
+  density.values[3] = 0.3;
+  density.values[2] = 0.3;
+  const HeldCells held = held_cells(cell_limits(spec, density.grid), density);
+  EXPECT_EQ(held.low, 1);
+  EXPECT_EQ(held.high, 2);
+}
+
 }  // namespace
 }  // namespace evenglow::design

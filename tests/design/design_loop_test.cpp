@@ -196,7 +196,7 @@ TEST(DesignLoop, LeavesMaskedCellsOutOfTheJudgment) {
   spec.mask = {4, 1, {1.0, 1.0, 1.0, 0.0}};
   const DesignProgress part = designed(model, spec);
   EXPECT_LT(part.best_rms, whole.best_rms);
-  EXPECT_NEAR(part.steps.front().rms_corrected.value, masked_rms(model, flat(model.grid, 0.1), 18), 0.01);
+  EXPECT_NEAR(part.steps.front().rms_corrected.value, masked_rms(model, flat(model.grid, *spec.level), 18), 0.01);
 }
 
 TEST(DesignLoop, KeepsTheWantedEfficiencyOfMinRms) {

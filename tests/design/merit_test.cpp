@@ -10,6 +10,7 @@
 
 #include "core/base/error.h"
 #include "core/base/units.h"
+#include "design/problem/pair_statistic.h"
 
 /// The noise-corrected RMS on maps whose RMS is known. Seeds fixed; what each test may raise by chance is said at it.
 namespace evenglow::design {
@@ -58,16 +59,6 @@ core::Tally draw(const std::vector<double>& p, const Noise& noise, int batches, 
   return tally;
 }
 
-struct Square {
-  double value, se;
-};
-
-/// The squared RMS and its error, from the signed root and its own error.
-Square square_of(const core::Estimate& root) {
-  const double size = std::abs(root.value);
-  return {root.value * size, size >= 2.0 * root.se ? 2.0 * root.se * size : 4.0 * root.se * root.se};
-}
-
 struct Pulls {
   double mean = 0.0, width = 0.0, root_of_mean = 0.0, noise = 0.0;
 };
@@ -78,7 +69,7 @@ Pulls pulls(double rms, const Noise& noise, int repetitions) {
   double sum = 0.0, squares = 0.0, estimates = 0.0, plain = 0.0;
   for (int i = 0; i < repetitions; ++i) {
     const Evenness e = evenness(draw(p, noise, 100, generator));
-    const Square s = square_of(e.rms_corrected);
+    const core::Estimate s = signed_square(e.rms_corrected);
     const double pull = (s.value - rms * rms) / s.se;
     sum += pull;
     squares += pull * pull;

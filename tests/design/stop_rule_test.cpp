@@ -30,7 +30,7 @@ TEST(StopRule, IsReachedWhereTheErrorLiesBelowTheBoundToo) {
   EXPECT_TRUE(reached(record_of(1, 0.0084, 0.0015), spec));
   EXPECT_FALSE(reached(record_of(1, 0.0089, 0.0015), spec)) << "turned out at 1.13 % once";
   EXPECT_TRUE(reached(record_of(1, -0.002, 0.003), spec));
-  EXPECT_FALSE(reached(record_of(1, -0.0039, 0.0045), spec)) << "turned out at 1.21 % once: its square hardly tells";
+  EXPECT_FALSE(reached(record_of(1, -0.0039, 0.0080), spec)) << "turned out at 1.21 % once: its square hardly tells";
 }
 
 /// A map whose RMS is `rms` exactly, seen with noise in 20 batches.
@@ -102,6 +102,45 @@ TEST(StopRule, SaysWhereTheIndependentTraceShowsMore) {
   EXPECT_EQ(confirmed_reason(reason, judged, 0.01),
             reason + "; the independent trace shows 1.05 +- 0.05 %: above the bound, but within its error");
   EXPECT_EQ(confirmed_reason("stalled: x", judged, 0.01), "stalled: x");
+}
+
+/// A step that was lucky to below zero is no measure for those after it, nor is one of another level.
+TEST(StopRule, DoesNotStallOnALuckyStepOrAnotherLevel) {
+  const DesignLimits limits{1000, 1000};
+  const auto course = [](double first, double first_level) {
+    std::vector<StepRecord> steps;
+    for (const double rms : {first, 0.578, 0.402, 0.302, 0.239, 0.192}) {
+      steps.push_back(record_of(static_cast<int>(steps.size()), rms, 0.01));
+      steps.back().mean_density = 0.2;
+      steps.back().photons = 1000;
+    }
+    steps.front().mean_density = first_level;
+    return steps;
+  };
+  EXPECT_EQ(stop_reason({course(-0.05, 0.2), 0.0, 4, true}, spec_of(0.01), limits), "");
+  EXPECT_EQ(stop_reason({course(0.1, 0.07), 0.0, 4, true}, spec_of(0.01), limits), "");
+  EXPECT_NE(stop_reason({course(0.1, 0.2), 0.1, 4, true}, spec_of(0.01), limits), "");
+}
+
+TEST(StopRule, ABoundIsShownOnlyWhereTheNoiseLetsItBeSeen) {
+  EXPECT_TRUE(shows_bound({0.010, 0.001}, 0.01));
+  EXPECT_FALSE(shows_bound({0.013, 0.001}, 0.01));
+  EXPECT_FALSE(shows_bound({0.0136, 0.0119}, 0.01)) << "noise hides it";
+  EXPECT_FALSE(shows_bound({-0.02, 0.015}, 0.01));
+}
+
+TEST(StopRule, TellsThatTheEfficiencyIsMissed) {
+  FinalJudgment judged;
+  judged.efficiency = {0.679, 0.001};
+  GoalSpec goal;
+  goal.kind = "min_rms";
+  goal.efficiency = 0.95;
+  EXPECT_EQ(
+      confirmed_goal("reached: x", judged, goal),
+      "missed: the independent trace shows an efficiency of 67.90 +- 0.10 % (wanted 95.00 %); before it, reached: "
+      "x");
+  goal.efficiency = 0.68;
+  EXPECT_EQ(confirmed_goal("reached: x", judged, goal), "reached: x");
 }
 
 }  // namespace
