@@ -23,10 +23,10 @@ std::unique_ptr<ConfigState> parsed(std::string text, std::string name, std::fil
   state->note(faults);
   const ConfigValue& root = *state->root;
   if (root.kind == ConfigValue::Kind::kNull) {
-    throw ConfigError(Fault{one_line(name), 0, 0, "", "must hold a map of keys, got an empty file"});
+    throw ConfigError(Fault{one_line(*state->file), 0, 0, "", "must hold a map of keys, got an empty file"});
   }
   if (!root.is_map()) {
-    throw ConfigError(Fault{one_line(name), root.place.line, root.place.column, "",
+    throw ConfigError(Fault{one_line(*state->file), root.place.line, root.place.column, "",
                             "must hold a map of keys (`key: value`), got " + described(root)});
   }
   expand_includes(*state, *state->root, "", state->folder);
