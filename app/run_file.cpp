@@ -151,7 +151,8 @@ std::vector<RunPoint> run_points(const std::filesystem::path& file) {
   std::vector<RunPoint> points;
   for (const auto& [variant, variant_changes] : variants) {
     for (const auto& [place, sweep_changes] : sweep) {
-      RunPoint point{variant + (variant.empty() || place.empty() ? "" : "_") + place, variant_changes};
+      RunPoint point{fmt::format("{}{}{}", variant, variant.empty() || place.empty() ? "" : "_", place),
+                     variant_changes};
       point.changes.insert(point.changes.end(), sweep_changes.begin(), sweep_changes.end());
       points.push_back(std::move(point));
     }

@@ -12,21 +12,21 @@ namespace {
 
 constexpr std::size_t kMaxFaultsTold = 100;
 
-std::unique_ptr<ConfigState> parsed(std::string text, const std::string& name, std::filesystem::path folder) {
-  auto state = std::make_unique<ConfigState>();
-  state->file = std::make_shared<const std::string>(name);
-  state->folder = std::move(folder);
+std::unique_ptr<ConfigState> parsed(std::string text, std::string name, std::filesystem::path folder) {
   require_text(text, name);
+  auto state = std::make_unique<ConfigState>();
+  state->file = std::make_shared<const std::string>(std::move(name));
+  state->folder = std::move(folder);
   std::vector<Fault> faults;
   state->root = read_yaml(text, {state->file, "", true}, faults);
   if (!state->root) throw ConfigError(std::move(faults));
   state->note(faults);
   const ConfigValue& root = *state->root;
   if (root.kind == ConfigValue::Kind::kNull) {
-    throw ConfigError(Fault{one_line(name), 0, 0, "", "must hold a map of keys, got an empty file"});
+    throw ConfigError(Fault{one_line(*state->file), 0, 0, "", "must hold a map of keys, got an empty file"});
   }
   if (!root.is_map()) {
-    throw ConfigError(Fault{one_line(name), root.place.line, root.place.column, "",
+    throw ConfigError(Fault{one_line(*state->file), root.place.line, root.place.column, "",
                             "must hold a map of keys (`key: value`), got " + described(root)});
   }
   expand_includes(*state, *state->root, "", state->folder);
@@ -49,7 +49,8 @@ ConfigDocument ConfigDocument::parse(std::string text, std::string name) {
   if (text.size() > kMaxRunFileBytes) {
     throw ConfigError(Fault{one_line(name), 0, 0, "", "must not be larger than 8 MiB"});
   }
-  return ConfigDocument(parsed(std::move(text), name, std::filesystem::path(name).parent_path()));
+  std::filesystem::path folder = std::filesystem::path(name).parent_path();
+  return ConfigDocument(parsed(std::move(text), std::move(name), std::move(folder)));
 }
 
 ConfigNode ConfigDocument::root() const {
