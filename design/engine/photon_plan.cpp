@@ -8,7 +8,7 @@ namespace {
 
 constexpr double kWantedError = 0.15;  // of the RMS, over the RMS to reach
 constexpr double kShownError = 0.1;    // the same, of a trace that has only to show
-constexpr double kWantedNoise = 0.6;   // in a density, over the RMS to reach
+constexpr double kWantedNoise = 0.5;   // in a density, over the RMS to reach
 constexpr double kAgain = 2.0;         // growth after a trace that showed too little
 constexpr double kLeastShown = 0.25;   // of the photons before, of a trace that has only to show
 

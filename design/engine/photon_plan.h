@@ -24,7 +24,7 @@ struct Foresight {
 /// while noise is in the way.
 ///
 /// With foresight the design is solved up to the noise left in it, however uneven the last step was: photons grow while
-/// that is above 0.6 of the wanted RMS. Below, the next trace has only to show the RMS, with an error of 0.1 of it as
+/// that is above half of the wanted RMS. Below, the next trace has only to show the RMS, with an error of 0.1 of it as
 /// it follows from the noise of a cell (merit.h). Where such a trace shows that the design was not there yet, photons
 /// grow again, and fewer do no longer.
 ///

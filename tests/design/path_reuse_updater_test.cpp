@@ -1,5 +1,7 @@
 #include "design/updaters/path_reuse_updater.h"
 
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 #include "design/engine/design_loop.h"
@@ -65,6 +67,37 @@ TEST(ReusedHistories, AreTheTraceAtItsOwnDensity) {
       EXPECT_NEAR(view.state.observation.map.luminance.values[i], traced, 1e-5 * traced);
     }
   }
+}
+
+/// Densities that run linearly within a cell are re-weighted on the parts that were traced: the map of the trace at its
+/// own density, and at another one that of a trace of it (chi-square of 72 cells, false alarm 1e-4).
+TEST(ReusedHistories, KnowDensitiesThatRunWithinACell) {
+  std::string plate = kPlate;
+  const std::string cells = "cells: [12, 6], density";
+  plate.replace(plate.find(cells), cells.size(), "cells: [12, 6], interpolation: bilinear, subcells: 3, density");
+  const tracer::Scene scene = tests::scene_of(plate);
+  const ForwardModel model = traced_model(scene, options_of(3));
+  DesignState state = recorded_state(model, 60'000, 0.1);
+  EXPECT_EQ(state.observation.records->density().cells.grid.nx, 36);
+  const ReusedHistories histories(state, spec_of("path_reuse"));
+  const ReusedView own = histories.at(state.density);
+  for (std::size_t i = 0; i < 72; ++i) {
+    const double traced = state.observation.map.luminance.values[i];
+    EXPECT_NEAR(own.state.observation.map.luminance.values[i], traced, 1e-5 * traced);
+  }
+  tracer::DensityField other = state.density;
+  for (std::size_t i = 0; i < 72; ++i) other.cells.values[i] *= i % 12 < 6 ? 0.95 : 1.06;
+  const ReusedView moved = histories.at(other);
+  EXPECT_GT(moved.effective_share, 0.3);
+  const Observation fresh = *model(other, 60'000, 9);
+  double chi_square = 0.0;
+  for (std::size_t i = 0; i < 72; ++i) {
+    const tracer::LuminanceMap& a = moved.state.observation.map;
+    const double difference = a.luminance.values[i] - fresh.map.luminance.values[i];
+    chi_square += difference * difference /
+                  (std::pow(a.standard_error.values[i], 2) + std::pow(fresh.map.standard_error.values[i], 2));
+  }
+  EXPECT_LT(chi_square, 125.0);
 }
 
 /// Two traces at different densities stand for one: weights are photons x share.

@@ -35,15 +35,15 @@ TEST(PhotonPlan, GrowsWhereNoiseHidesTheRms) {
 
 TEST(PhotonPlan, GrowsAsTheNoiseInTheDensityAsks) {
   EXPECT_EQ(next({step(1000, 0.5, 0.01, 0.1)}, 0.02), 4000U) << "however uneven the step was";
-  EXPECT_EQ(next({step(1000, 0.5, 0.01, 0.1)}, 0.006 * std::sqrt(2.0)), 2000U);
+  EXPECT_EQ(next({step(1000, 0.5, 0.01, 0.1)}, 0.005 * std::sqrt(2.0)), 2000U);
 }
 
 TEST(PhotonPlan, ShowsWithAsManyAsItTakes) {
   // Error at 1 %: 0.02 noise^2 / 0.02 = noise^2; wanted 0.001.
-  EXPECT_NEAR(static_cast<double>(next({step(100'000, 0.02, 0.001, std::sqrt(0.0005))}, 0.005)), 50'000.0, 1.0);
-  EXPECT_EQ(next({step(100'000, 0.02, 0.001, 0.001)}, 0.005), 25'000U) << "a quarter at least";
-  EXPECT_EQ(next({step(100'000, 0.02, 0.001, 0.1)}, 0.005), 100'000U) << "never more than before";
-  EXPECT_EQ(next({step(100'000, 0.02, 0.001, 0.001), step(25'000, 0.02, 0.001, 0.002)}, 0.005), 200'000U)
+  EXPECT_NEAR(static_cast<double>(next({step(100'000, 0.02, 0.001, std::sqrt(0.0005))}, 0.004)), 50'000.0, 1.0);
+  EXPECT_EQ(next({step(100'000, 0.02, 0.001, 0.001)}, 0.004), 25'000U) << "a quarter at least";
+  EXPECT_EQ(next({step(100'000, 0.02, 0.001, 0.1)}, 0.004), 100'000U) << "never more than before";
+  EXPECT_EQ(next({step(100'000, 0.02, 0.001, 0.001), step(25'000, 0.02, 0.001, 0.002)}, 0.004), 200'000U)
       << "it was not there yet";
 }
 
