@@ -72,7 +72,7 @@ TEST_F(DotsVerify, WrongInputIsOneLineBeforeAnyPhoton) {
   expect_fault({"--set", shape + "cone", "--set", "dots.footprint=square"}, "needs the footprint of the shape cone");
   expect_fault({"--set", "dots.margins.left_mm=30"}, "dots.margins: must leave a part of the plate");
   expect_fault({"--set", "dots.gap_um=900"}, "dots needs dots that can hold the least density");
-  expect_fault({"--set", "design.goal={kind: max_efficiency, rms: 0.1}"}, "is for the goals even and min_rms");
+  expect_fault({"--set", "design.goal=max_efficiency"}, "is for the goals even and min_rms");
   expect_fault({"--set", "design.verify_rounds=-1"}, "design.verify_rounds");
 }
 

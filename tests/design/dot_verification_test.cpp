@@ -32,7 +32,7 @@ struct DottedBacklight {
   }
 };
 
-struct Setup {
+struct Task {
   DottedBacklight backlight;
   ForwardModel model{backlight};
   DesignSpec spec;
@@ -40,7 +40,7 @@ struct Setup {
   Margins margins;
   int threads = 1;
 
-  Setup() {
+  Task() {
     spec.updater = "ratio";
     spec.stop_rms = 0.01;
     spec.density_min = 0.001;
@@ -65,8 +65,8 @@ struct Setup {
 };
 
 TEST(DotVerification, CorrectsWhatTheDotsDoOtherwise) {
-  const Setup setup;
-  const auto result = setup.verified(setup.designed());
+  const Task task;
+  const auto result = task.verified(task.designed());
   ASSERT_TRUE(result);
   const DotsJudgment& judgment = result->judgment;
   EXPECT_GT(judgment.rounds[0].record.rms_corrected.value, 0.03);
@@ -75,27 +75,27 @@ TEST(DotVerification, CorrectsWhatTheDotsDoOtherwise) {
   EXPECT_EQ(judgment.rounds[judgment.chosen].dots, result->placement.dots.size());
   EXPECT_FALSE(judgment.stop_reason.empty());
   // The far end gets less.
-  const tracer::DensityField designed = setup.designed();
+  const tracer::DensityField designed = task.designed();
   EXPECT_LT(judgment.density.values[23] / designed.cells.values[23],
             0.95 * judgment.density.values[0] / designed.cells.values[0]);
 }
 
 TEST(DotVerification, RoundsEndWhereTheRuleSays) {
-  Setup setup;
-  const tracer::DensityField density = setup.designed();
-  setup.spec.verify_rounds = 0;
-  const auto none = setup.verified(density);
+  Task task;
+  const tracer::DensityField density = task.designed();
+  task.spec.verify_rounds = 0;
+  const auto none = task.verified(density);
   ASSERT_EQ(none->judgment.rounds.size(), 1U);
   EXPECT_NE(none->judgment.stop_reason.find("verify_rounds"), std::string::npos) << none->judgment.stop_reason;
   EXPECT_EQ(none->judgment.density.values, density.cells.values);
-  setup.spec.verify_rounds = 3;
-  setup.spec.stop_rms = 0.2;  // even enough at once
-  const auto at_once = setup.verified(density);
+  task.spec.verify_rounds = 3;
+  task.spec.stop_rms = 0.2;  // even enough at once
+  const auto at_once = task.verified(density);
   ASSERT_EQ(at_once->judgment.rounds.size(), 1U);
   EXPECT_NE(at_once->judgment.stop_reason.find("reached"), std::string::npos);
-  setup.spec.stop_rms = 1e-6;  // never
-  setup.spec.verify_rounds = 10;
-  const auto until_no_gain = setup.verified(density);
+  task.spec.stop_rms = 1e-6;  // never
+  task.spec.verify_rounds = 10;
+  const auto until_no_gain = task.verified(density);
   EXPECT_LT(until_no_gain->judgment.rounds.size(), 11U);
   EXPECT_NE(until_no_gain->judgment.stop_reason.find("no gain"), std::string::npos);
   EXPECT_LT(until_no_gain->judgment.final.rms_corrected.value, 0.015);
@@ -103,12 +103,12 @@ TEST(DotVerification, RoundsEndWhereTheRuleSays) {
 
 /// A margin takes dots from the cells beside it; their density makes up for it.
 TEST(DotVerification, MarginsAreMadeUpFor) {
-  Setup setup;
-  setup.backlight.excess = 0.0;
-  setup.model = ForwardModel(setup.backlight);
-  setup.margins.right = 0.3;
-  const tracer::DensityField density = setup.designed();
-  const auto result = setup.verified(density);
+  Task task;
+  task.backlight.excess = 0.0;
+  task.model = ForwardModel(task.backlight);
+  task.margins.right = 0.3;
+  const tracer::DensityField density = task.designed();
+  const auto result = task.verified(density);
   ASSERT_TRUE(result);
   double before = 0.0, after = 0.0;
   for (std::size_t iy = 0; iy < 12; ++iy) {
@@ -120,24 +120,24 @@ TEST(DotVerification, MarginsAreMadeUpFor) {
 }
 
 TEST(DotVerification, SameOnAnyNumberOfThreadsAndJudgedByOtherNumbers) {
-  Setup setup;
-  const tracer::DensityField density = setup.designed();
-  const auto one = setup.verified(density);
-  setup.threads = 3;
-  const auto three = setup.verified(density);
+  Task task;
+  const tracer::DensityField density = task.designed();
+  const auto one = task.verified(density);
+  task.threads = 3;
+  const auto three = task.verified(density);
   EXPECT_EQ(one->placement.dots, three->placement.dots);
   EXPECT_EQ(one->judgment.luminance.values, three->judgment.luminance.values);
   EXPECT_NE(one->judgment.final.rms, one->judgment.rounds[one->judgment.chosen].record.rms);
 }
 
 TEST(DotVerification, AnInterruptionEndsIt) {
-  Setup setup;
-  const tracer::DensityField density = setup.designed();
+  Task task;
+  const tracer::DensityField density = task.designed();
   for (const std::uint32_t last : {kVerifyingStep, kVerifiedStep}) {
-    setup.model = ForwardModel([&](const tracer::DensityField& field, std::uint64_t photons, std::uint32_t step) {
-      return step == last ? std::nullopt : setup.backlight(field, photons, step);
+    task.model = ForwardModel([&](const tracer::DensityField& field, std::uint64_t photons, std::uint32_t step) {
+      return step == last ? std::nullopt : task.backlight(field, photons, step);
     });
-    EXPECT_FALSE(setup.verified(density));
+    EXPECT_FALSE(task.verified(density));
   }
 }
 
