@@ -5,6 +5,7 @@
 
 #include <fmt/core.h>
 
+#include "app/dots_verify.h"
 #include "app/front_run.h"
 #include "app/run_report.h"
 #include "core/base/error.h"
@@ -68,7 +69,10 @@ std::optional<Report> run_simulation(Run run, const RunContext& context) {
 std::optional<Report> run_design_job(Run run, const RunContext& context) {
   if (run.design.goal.kind == "max_efficiency") return run_efficiency_job(std::move(run), context);
   const Stopwatch watch;
+  const std::string dots_note = keep_to_dots(run);
   Report report = describe_run(run, context);
+  if (!dots_note.empty()) report.notes.push_back(dots_note);
+  const auto proof = run.design.verify_dots ? std::make_optional<DotProof>(run, context) : std::nullopt;
   const design::DesignLimits limits = design_limits(run);
   design::DesignProgress progress = begin_design(run, limits, context);
   const std::string identity = run_identity(run, context.stream);
@@ -98,6 +102,7 @@ std::optional<Report> run_design_job(Run run, const RunContext& context) {
                                       report.final, run.design.goal);
   tell_color(run.design, report);
   if (report.stop_reason != progress.stop_reason) context.progress.line(label(run, report.stop_reason));
+  if (proof && !proof->add_to(report, model, run.design, run.trace.photons, context)) return std::nullopt;
   finish_timing(watch, report);
   return report;
 }

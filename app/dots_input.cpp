@@ -107,18 +107,6 @@ void take_panel(DotsInput& input) {
   if (input.spec.panel) input.gratings.push_back({"panel", *input.spec.panel, true});
 }
 
-DotsInput from_run(const Run& run, const fs::path& file) {
-  DotsInput input;
-  input.title = run.title;
-  input.spec = run.dots;
-  input.run_file = file.string();
-  const tracer::Box& area = run.backlight.area;
-  input.plate = {area.min.x(), area.max.x(), area.min.y(), area.max.y()};
-  take_films(run, input);
-  take_panel(input);
-  return input;
-}
-
 Run read_with(const fs::path& file, DotsOverrides changes, const DotsOverrides& more) {
   changes.insert(changes.end(), more.begin(), more.end());
   return read_point(file, {"", std::move(changes)}, {});
@@ -126,13 +114,25 @@ Run read_with(const fs::path& file, DotsOverrides changes, const DotsOverrides& 
 
 }  // namespace
 
+DotsInput dots_input_of(const Run& run, const std::string& file) {
+  DotsInput input;
+  input.title = run.title;
+  input.spec = run.dots;
+  input.run_file = file;
+  const tracer::Box& area = run.backlight.area;
+  input.plate = {area.min.x(), area.max.x(), area.min.y(), area.max.y()};
+  take_films(run, input);
+  take_panel(input);
+  return input;
+}
+
 DotsInput read_designed(const fs::path& directory, const fs::path& run_file, const DotsOverrides& overrides) {
   const Origin origin = read_origin(directory);
   const fs::path file = run_file.empty() ? find_run_file(directory, origin) : run_file;
   const Run run = read_with(file, origin.overrides, overrides);
   if (!run.backlight.plate || !run.backlight.microstructure)
     refuse(file, "must describe a light_guide_plate with a microstructure, got none");
-  DotsInput input = from_run(run, file);
+  DotsInput input = dots_input_of(run, file.string());
   if (!origin.variant.empty()) input.title += " (" + origin.variant + ")";
   if (!run_file.empty() && core::sha256_hex(run.file_text) != origin.sha256)
     input.remarks.push_back(core::one_line(file.string()) + " is not, or no longer, the run file of this design");
@@ -147,7 +147,7 @@ DotsInput read_designed(const fs::path& directory, const fs::path& run_file, con
 }
 
 DotsInput read_surroundings(const fs::path& run_file, const DotsOverrides& overrides) {
-  if (!run_file.empty()) return from_run(read_with(run_file, {}, overrides), run_file);
+  if (!run_file.empty()) return dots_input_of(read_with(run_file, {}, overrides), run_file.string());
   auto document = core::ConfigDocument::parse("dots: {}\n", "options");
   for (const auto& change : overrides) document.apply(change);
   DotsInput input;

@@ -12,6 +12,8 @@
 
 namespace evenglow::app {
 
+struct Run;
+
 /// All that `evenglow dots` works on.
 struct DotsInput {
   std::string title;
@@ -31,6 +33,9 @@ using DotsOverrides = std::vector<core::ConfigDocument::Override>;
 /// fault.
 DotsInput read_designed(const std::filesystem::path& directory, const std::filesystem::path& run_file,
                         const DotsOverrides& overrides);
+
+/// The plate, films and `dots` of a run (`file`: the path of its run file), without a density.
+DotsInput dots_input_of(const Run& run, const std::string& file);
 
 /// For a pattern that exists: as the run file says if there is one, else defaults on a plate of unknown size.
 DotsInput read_surroundings(const std::filesystem::path& run_file, const DotsOverrides& overrides);

@@ -50,6 +50,13 @@ void print_result(const design::Report& report, const std::filesystem::path& dir
     fmt::print("  color RMS, maximum   {}, {} (delta u'v' from the mean, noise taken off)\n",
                design::measured(report.color->rms_corrected), design::measured(report.color->max_corrected));
   }
+  if (report.dots) {
+    const design::DotsJudgment& dots = *report.dots;
+    fmt::print(
+        "  as dots              {} dots: RMS {:.2f} +- {:.2f} %, mean luminance {:.4f} +- {:.4f} of that above\n",
+        dots.rounds[dots.chosen].dots, 100.0 * dots.final.rms_corrected.value, 100.0 * dots.final.rms_corrected.se,
+        dots.over_density.value, dots.over_density.se);
+  }
   fmt::print("  photons, time        {:.3g} in the final trace, {:.1f} s in all\n", static_cast<double>(f.photons),
              report.timing.wall_s);
   fmt::print("  files                {}\n", directory.string());

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "app/dots_verify.h"
 #include "app/output_directory.h"
 #include "design/problem/target.h"
 #include "design/report/writer_registry.h"
@@ -105,6 +106,7 @@ Run read_keys(const ConfigDocument& document, Purpose purpose) {
   run.dots =
       design::read_dots(root.map("dots", "how the density becomes real dots (evenglow dots)"),
                         shape == "pyramid" || shape == "v_groove" ? core::Footprint::square : core::Footprint::round);
+  if (purpose == Purpose::kDesign) check_verify(root, run);
   run.output = root.choices({"output", "formats of the result files", design::output_formats(),
                              fmt::format("{}", fmt::join(design::default_output_formats(), ","))});
   if (run.output.empty()) root.fault_at("output", "must name at least one format, got none");

@@ -4,9 +4,10 @@
 #include "bench/cpu_time.h"
 #include "bench/walker.h"
 #include "bench/yardstick.h"
+#include <benchmark/benchmark.h>
+
 #include "core/dots/dot.h"
 #include "tracer/microstructure/dot_grid.h"
-#include <benchmark/benchmark.h>
 
 namespace evenglow::bench {
 namespace {
@@ -16,28 +17,28 @@ constexpr int kColumns = 1250, kRows = 800;  // 1e6 dots
 
 /// S1 with the dots themselves: one in each cell of a fine lattice, anywhere where it stays within, as large as the
 /// density asks for.
-MeasuredScene dotted_slab() {
-  MeasuredScene measured(slab_scene());
-  const tracer::Box& face = measured.bench.scene.spec.area;
+BenchScene dotted_slab() {
+  BenchScene bench = slab_scene();
+  const tracer::Box& face = bench.scene.spec.area;
   const double dx = (face.max.x() - face.min.x()) / kColumns, dy = (face.max.y() - face.min.y()) / kRows;
   core::PhotonRng rng({1, 2, 3}, 0);
   core::DotPattern dots;
   for (int iy = 0; iy < kRows; ++iy) {
     for (int ix = 0; ix < kColumns; ++ix) {
       const double x = face.min.x() + (ix + 0.5) * dx, y = face.min.y() + (iy + 0.5) * dy;
-      const double radius = std::sqrt(measured.bench.density.cells.at(x, y) * dx * dy / 3.14159265358979);
+      const double radius = std::sqrt(bench.density.cells.at(x, y) * dx * dy / 3.14159265358979);
       const double room_x = std::max(0.0, dx - 2.0 * radius), room_y = std::max(0.0, dy - 2.0 * radius);
       const double along = rng.uniform() - 0.5;
       dots.push_back({x + along * room_x, y + (rng.uniform() - 0.5) * room_y, static_cast<float>(radius)});
     }
   }
-  measured.bench.density.dots = std::make_shared<const tracer::DotGrid>(
+  bench.density.dots = std::make_shared<const tracer::DotGrid>(
       dots, core::Footprint::round, tracer::FaceArea{face.min.x(), face.max.x(), face.min.y(), face.max.y()});
-  return measured;
+  return bench;
 }
 
 MeasuredScene& measured_dots() {
-  static MeasuredScene measured = dotted_slab();
+  static MeasuredScene measured(dotted_slab());
   return measured;
 }
 

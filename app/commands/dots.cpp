@@ -1,16 +1,12 @@
 #include "app/commands/dots.h"
 
 #include <algorithm>
-#include <array>
-#include <chrono>
-#include <optional>
 
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>
 
 #include "app/commands/commands.h"
-#include "app/dots_pictures.h"
-#include "app/dots_report.h"
+#include "app/dots_output.h"
 #include "app/output_directory.h"
 #include "app/progress.h"
 #include "app/run_file.h"
@@ -20,86 +16,19 @@
 #include "core/dots/dot_csv.h"
 #include "core/dots/dot_dxf.h"
 #include "core/montecarlo/batches.h"
-#include "design/dots/dot_files.h"
 #include "design/dots/dot_index.h"
-#include "design/dots/process.h"
 
 namespace evenglow::app {
 namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array<const char*, 9> kFiles = {"dots.json",     "dots.csv",          "dots.dxf",
-                                               "dots.gds",      "dots.svg",          "dots.png",
-                                               "dots_zoom.png", "dots_spectrum.png", "dots_made.csv"};
-
-class Stopwatch {
- public:
-  double lap() {
-    const auto now = std::chrono::steady_clock::now();
-    const double passed = std::chrono::duration<double>(now - last_).count();
-    last_ = now;
-    return passed;
-  }
-
- private:
-  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
-};
-
-struct Output {
-  fs::path directory;
-  Progress& progress;
-  int threads;
-};
-
-design::FreeArea free_area(const DotsInput& input) {
-  design::FreeArea free(input.plate, input.spec.margins, input.spec.rectangles, input.spec.circles);
-  const design::RectangleZone& box = free.bounds();
-  if (box.x1 > box.x0 && box.y1 > box.y0) return free;
-  throw core::ConfigError(core::Fault{input.run_file.empty() ? "options" : input.run_file, 0, 0, "dots.margins",
-                                      fmt::format("must leave a part of the plate, {:g} x {:g} mm, got none",
-                                                  input.plate.x1 - input.plate.x0, input.plate.y1 - input.plate.y0)});
-}
-
-/// Figures, files and the last words of both ways.
-int finish(const DotsInput& input, const design::FreeArea& free, const design::CoverageMap* map,
-           const design::Placement& placement, const std::string& source, std::size_t ignored, double placement_s,
-           double placement_cpu_s, const Output& out) {
-  Stopwatch watch;
-  out.progress.line(fmt::format("{} dots; figures of quality", placement.dots.size()));
-  const DotsQuality quality = judge_dots(placement.dots, input, free, map, out.threads);
-  DotsReport report{input, placement, quality, source, ignored};
-  report.placement_s = placement_s;
-  report.placement_cpu_s = placement_cpu_s;
-  report.quality_s = watch.lap();
-  out.progress.line("files");
-  make_directory(out.directory);
-  std::error_code ignored_failure;
-  for (const char* name : kFiles) fs::remove(out.directory / name, ignored_failure);
-  const design::DotSheet sheet{placement.dots, input.spec.footprint, input.plate, input.title};
-  const std::array<void (*)(const design::DotSheet&, const fs::path&), 4> writers = {
-      design::write_dot_csv, design::write_dot_dxf, design::write_dot_gds,
-      [](const design::DotSheet& s, const fs::path& path) { design::write_dot_svg(s, path); }};
-  core::run_batches(writers.size(), out.threads,
-                    [&](std::size_t i) { writers[i](sheet, out.directory / kFiles[i + 1]); });
-  const design::ProcessSpread& process = input.spec.process;
-  if (process.bias != 0.0 || process.size_spread != 0.0 || process.position_spread != 0.0) {
-    const core::DotPattern made = design::processed(placement.dots, process, input.spec.seed, out.threads);
-    for (const core::Dot& dot : made)
-      report.made_area += core::footprint_area(input.spec.footprint, 2.0 * static_cast<double>(dot.radius));
-    if (made.size() > 1) {
-      report.made_neighbors =
-          neighbor_statistics(design::index_dots(made, input.plate, out.threads), input.spec.footprint, out.threads);
-    }
-    design::write_dot_csv({made, input.spec.footprint, input.plate, input.title + " (as made)"},
-                          out.directory / "dots_made.csv");
-  }
-  write_dots_pictures(report, out.directory);
-  report.files_s = watch.lap();
-  write_whole(out.directory / "dots.json", dots_json(report));
-  for (const std::string& remark : input.remarks) fmt::print(stderr, "note: {}\n", remark);
-  for (const std::string& warning : dots_warnings(report)) fmt::print(stderr, "warning: {}\n", warning);
-  fmt::print("{}  files                {}\n", dots_table(report), out.directory.string());
+/// Files, and the last words of both ways.
+int finish(const DotsOutput& output, const fs::path& directory, Progress& progress, int threads) {
+  const DotsTold told = write_dots(output, directory, progress, threads);
+  for (const std::string& remark : output.input.remarks) fmt::print(stderr, "note: {}\n", remark);
+  for (const std::string& warning : told.warnings) fmt::print(stderr, "warning: {}\n", warning);
+  fmt::print("{}  files                {}\n", told.table, directory.string());
   return kDone;
 }
 
@@ -186,8 +115,8 @@ int DotsCommand::run(const Session&) {
   if (fs::exists(out, ignored) && !fs::is_directory(out, ignored))
     throw core::ConfigError(core::Fault{core::one_line(out.string()), 0, 0, "", "must be a directory, got a file"});
   std::vector<fs::path> files;
-  files.reserve(kFiles.size());
-  for (const char* name : kFiles) files.push_back(out / name);
+  files.reserve(kDotFiles.size());
+  for (const char* name : kDotFiles) files.push_back(out / name);
   if (!directory) require_other_than_inputs(files, {source_});
   if (!overwrite_) require_free(files);
   return directory ? place(out) : import_pattern(out);
@@ -198,19 +127,19 @@ int DotsCommand::place(const fs::path& out) const {
   const design::FreeArea free = free_area(input);
   Progress progress(quiet_);
   progress.line("placing the dots");
-  Stopwatch watch;
+  LapWatch watch;
   const double cpu = core::process_cpu_seconds();
   const design::CoverageMap map(*input.coverage, free);
   const design::Placement placement = place_dots(input.spec, map, threads_);
-  return finish(input, free, &map, placement, source_.string(), 0, watch.lap(), core::process_cpu_seconds() - cpu,
-                {out, progress, threads_});
+  return finish({input, free, &map, placement, source_.string(), 0, watch.lap(), core::process_cpu_seconds() - cpu},
+                out, progress, threads_);
 }
 
 int DotsCommand::import_pattern(const fs::path& out) const {
   DotsInput input = read_surroundings(run_file_, overrides());
   Progress progress(quiet_);
   progress.line("reading the dots");
-  Stopwatch watch;
+  LapWatch watch;
   const double cpu = core::process_cpu_seconds();
   std::string ending = source_.extension().string();
   std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return std::tolower(c); });
@@ -234,8 +163,9 @@ int DotsCommand::import_pattern(const fs::path& out) const {
   const design::RectangleZone dots_box = design::bounds_of(pattern.dots);
   if (run_file_.empty()) input.plate = dots_box;
   const design::FreeArea free(dots_box, {}, {}, {});
-  return finish(input, free, nullptr, pattern, source_.string(), ignored, watch.lap(),
-                core::process_cpu_seconds() - cpu, {out, progress, threads_});
+  return finish(
+      {input, free, nullptr, pattern, source_.string(), ignored, watch.lap(), core::process_cpu_seconds() - cpu}, out,
+      progress, threads_);
 }
 
 }  // namespace evenglow::app

@@ -130,6 +130,13 @@ DesignSpec read_design(const ConfigNode& node) {
       static_cast<int>(node.integer({"max_steps", "largest number of steps after the start", 0, 1000, spec.max_steps}));
   read_limits(node, spec);
   read_level(node, spec);
+  spec.verify_dots = node.choice({"verify",
+                                  "what the finished design is proved with: none, or dots (the density becomes dots as "
+                                  "the map dots says, is traced dot by dot and corrected by what that shows)",
+                                  {"none", "dots"},
+                                  "none"}) == "dots";
+  spec.verify_rounds = static_cast<int>(node.integer(
+      {"verify_rounds", "corrections of the density by what its dots show, at most", 0, 20, spec.verify_rounds}));
   spec.first_photons = static_cast<std::uint64_t>(
       node.count({"first_photons", "photons of the first step; 0: 50 for each cell", 0, 1'000'000'000'000, 0}));
   spec.photon_growth = node.number({"photon_growth", "factor from step to step while noise hides the error",

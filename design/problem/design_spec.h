@@ -74,6 +74,8 @@ struct DesignSpec {
   std::uint64_t first_photons = 0;       ///< of the first step; 0: 50 a cell
   double photon_growth = 4.0;            ///< factor from step to step while the noise is larger than the error
   std::vector<double> pareto_levels;     ///< mean densities of `evenglow pareto`; empty: chosen
+  bool verify_dots = false;              ///< the finished density is placed as dots and traced dot by dot
+  int verify_rounds = 3;                 ///< corrections of the density by what the dots show, at most
 };
 
 /// Reads and checks the map; the files that it names are read.

@@ -92,6 +92,13 @@ void CsvWriter::write(const Report& report, const std::filesystem::path& directo
   write_matrix(report.luminance_se, "standard error of the luminance (cd/m2)", directory / "luminance_se.csv");
   write_matrix(report.density, "density of the microstructure (share of the cell's area, 1)",
                directory / "density.csv");
+  if (report.dots) {
+    write_matrix(report.dots->luminance, "luminance of the dots (cd/m2)", directory / "dots_luminance.csv");
+    write_matrix(report.dots->luminance_se, "standard error of the luminance of the dots (cd/m2)",
+                 directory / "dots_luminance_se.csv");
+    write_matrix(report.dots->density, "density that the dots were placed for (share of the cell's area, 1)",
+                 directory / "dots_density.csv");
+  }
   if (report.angular) write_file(directory / "angular.csv", angular_csv(*report.angular));
   write_metrology(report, directory);
 }

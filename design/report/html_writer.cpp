@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "design/report/histogram_plot.h"
+#include "design/report/html_dots.h"
 #include "design/report/html_energy.h"
 #include "design/report/html_facts.h"
 #include "design/report/html_figures.h"
@@ -110,9 +111,10 @@ std::string run_body(const Report& report, const std::string& id, PageData& data
             "<details><summary>The steps in figures</summary>\n" + step_table(report) + "</details>\n";
   }
   return joined({headline_cards(report), notes_part(report), steps, heading("Luminance and density"),
-                 run_maps(report, id, data), evenness_part(alone, data), hot_spot_section(report, data),
-                 color_section(report, data), angular_part(alone, data), energy_part(alone), film_table(report),
-                 section_view_part(report), heading("How to repeat"), repeat_table(report), run_file_fold(report)});
+                 run_maps(report, id, data), dots_section(report, id, data), evenness_part(alone, data),
+                 hot_spot_section(report, data), color_section(report, data), angular_part(alone, data),
+                 energy_part(alone), film_table(report), section_view_part(report), heading("How to repeat"),
+                 repeat_table(report), run_file_fold(report)});
 }
 
 std::string title_of(const std::string& title, const char* otherwise) {

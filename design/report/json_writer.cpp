@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "design/report/json_dots.h"
 #include "design/report/json_metrology.h"
 #include "design/report/output_file.h"
 
@@ -83,6 +84,7 @@ Json variant_of(const Report& report) {
   variant["seed"] = report.seed;
   variant["run_file_sha256"] = report.run_file_sha256;
   add_metrology(report, variant);
+  if (report.dots) variant["dots"] = dots_json(report);
   return variant;
 }
 
@@ -108,6 +110,7 @@ std::string result_json(const Report& report) {
               {"energy_se", energy_of(report.energy, &core::Estimate::se)},
               {"notes", report.notes}};
   add_metrology(report, object);
+  if (report.dots) object["dots"] = dots_json(report);
   object["timing"] = timing_of(report);
   return text_of(object);
 }

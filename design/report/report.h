@@ -9,6 +9,7 @@
 
 #include "core/math/cell_field.h"
 #include "core/montecarlo/estimate.h"
+#include "design/problem/dots_judgment.h"
 #include "design/problem/judgment.h"
 #include "design/problem/metrology.h"
 
@@ -60,10 +61,11 @@ struct Report {
   std::optional<AngularLuminance> angular;
   std::vector<SpotLuminance> angular_spots;
   std::optional<ColorJudgment> color;
-  std::vector<FilmEntry> films;     ///< from the plate upwards
-  std::vector<HotSpots> hot_spots;  ///< of each row of LEDs
-  std::string section_svg;          ///< the stack in section with ways of photons, an SVG element; may be empty
-  std::vector<std::string> notes;   ///< remarks for the reader (limits that bind, assumptions of film data)
+  std::vector<FilmEntry> films;      ///< from the plate upwards
+  std::vector<HotSpots> hot_spots;   ///< of each row of LEDs
+  std::optional<DotsJudgment> dots;  ///< of the design as dots, if it was verified so
+  std::string section_svg;           ///< the stack in section with ways of photons, an SVG element; may be empty
+  std::vector<std::string> notes;    ///< remarks for the reader (limits that bind, assumptions of film data)
   Timing timing;
 };
 

@@ -72,7 +72,8 @@ const HouseRules& house() {
                {"design/problem", "core/config", "core/dots", "core/math", "core/montecarlo/batches.h",
                 "core/montecarlo/photon_rng.h"}},
               {"design/engine",
-               {"design/problem", "design/updaters", "design/report", "tracer/scene", "tracer/transport",
+               {"design/problem", "design/updaters", "design/report", "design/dots",
+                "tracer/microstructure/dot_grid.h", "tracer/scene", "tracer/transport",
                 "tracer/receivers", "core/config", "core/math", "core/montecarlo", "core/parallel"}},
 
               {"app",

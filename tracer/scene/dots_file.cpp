@@ -37,11 +37,9 @@ void check_apart(const DotGrid& grid, const core::DotPattern& dots, const std::s
                            a + 1, b + 1, one.x, one.y, other.x, other.y));
 }
 
-/// Keys that the places of real dots leave no meaning to.
+/// Density, `fill` and `axis_deg` may stand there, as in the run file that the dots were designed with.
 void check_keys(const ConfigNode& node, const std::string& shape) {
-  for (const char* key : {"density", "density_file", "fill", "axis_deg"}) {
-    if (node.has(key)) node.fault_at(key, "must be left out where there is a dots_file, got both");
-  }
+  if (node.has("density_file")) node.fault_at("density_file", "must be left out where there is a dots_file, got both");
   if (shape == "v_groove") {
     node.fault_at("dots_file",
                   "is for shapes that stand as dots (printed_dot, microlens, cone, pyramid), got it with "
@@ -73,10 +71,11 @@ void check_within(const core::DotPattern& dots, core::Footprint footprint, const
 }
 
 std::shared_ptr<const DotGrid> read_dots_file(const ConfigNode& node, const std::string& shape, const FaceArea& face) {
-  const auto path = node.file({"dots_file",
-                               "the pattern dot by dot (CSV or DXF, as `evenglow dots` writes them) in place of a "
-                               "density; each dot is traced where it lies",
-                               std::string()});
+  const auto path = node.file(
+      {"dots_file",
+       "the pattern dot by dot (CSV or DXF, as `evenglow dots` writes them) in place of a "
+       "density; each dot is traced where it lies and as it is turned (density, fill and axis_deg do not count)",
+       std::string()});
   const std::string usual = usual_footprint(shape) == core::Footprint::square ? "square" : "round";
   const std::string outline = node.choice(
       {"footprint", "outline of each dot of the dots_file; default: that of the shape", {"round", "square"}, usual});

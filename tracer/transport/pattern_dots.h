@@ -18,7 +18,9 @@ class PatternDots {
     for (const SceneOptics& band : scene.optics) {
       shapes_.push_back(nullptr);
       for (const Surface& surface : band.surfaces) {
-        if (surface.pattern != nullptr) shapes_.back() = dynamic_cast<const DotShape*>(surface.pattern);
+        if (surface.pattern == nullptr) continue;
+        shapes_.back() = dynamic_cast<const DotShape*>(surface.pattern);
+        on_top_ = surface.normal.z() > 0.0;
       }
     }
   }
@@ -28,6 +30,7 @@ class PatternDots {
   /// The shape that has a height, null: ink.
   const DotShape* shape(std::size_t band) const { return shapes_[band]; }
   const DotGrid& grid() const { return *dots_; }
+  bool on_top() const { return on_top_; }
 
   /// Does light that comes along k (backlight's axes) to the patterned face at this place meet the pattern?
   [[gnu::always_inline]] bool meets(const core::Vec2& place, const core::Vec3& k, std::size_t band) const {
@@ -39,6 +42,7 @@ class PatternDots {
  private:
   const DotGrid* dots_;
   std::vector<const DotShape*> shapes_;  ///< of each band
+  bool on_top_ = false;
 };
 
 }  // namespace evenglow::tracer

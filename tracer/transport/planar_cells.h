@@ -13,6 +13,8 @@ namespace evenglow::tracer {
 class PlanarCells {
  public:
   using Band = PlanarCells;
+  /// Does the pattern let light go elsewhere than where it came?
+  static constexpr bool kMovesLight = false;
   PlanarCells(const Scene&, const DensityField& density) : PlanarCells(density) {}
   /// The same at all wavelengths.
   const PlanarCells& of(std::size_t) const { return *this; }
@@ -40,8 +42,13 @@ class PlanarCells {
     return static_cast<std::size_t>(iy) * static_cast<std::size_t>(nx_) + static_cast<std::size_t>(ix);
   }
 
-  /// The same of light that comes along (kx, ky, kz) to the face, which does not matter here.
-  [[gnu::always_inline]] std::size_t cell(double column, double row, double, double, double) const {
+  /// The same for light that comes to the face, in general and from inside; its direction does not matter here.
+  template <typename Light>
+  [[gnu::always_inline]] std::size_t cell_met(double column, double row, const Light&) const {
+    return cell(column, row);
+  }
+  template <typename Light>
+  [[gnu::always_inline]] std::size_t cell_inside(double column, double row, const Light&) const {
     return cell(column, row);
   }
 

@@ -3,6 +3,5 @@
 namespace evenglow::tracer {
 
 template class BasicPlanarHistory<MeridianLight, NoArrivalObserver>;
-template class BasicPlanarHistory<MeridianLight, NoArrivalObserver, PlanarDots>;
 
 }  // namespace evenglow::tracer

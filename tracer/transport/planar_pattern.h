@@ -61,13 +61,11 @@ class PlanarPattern {
     double row = cells_.row(s_.y + s_.light.ky * start);
     const double columns = cells_.columns_per(2.0 * s_.light.kx * period);
     const double rows = cells_.rows_per(2.0 * s_.light.ky * period);
-    const Light& k = s_.light;
-    const double kz = plate_.pattern_side == static_cast<int>(Side::kTop) ? std::abs(k.kz) : -std::abs(k.kz);
     if (!Observer::kActive && !estimates_) {  // nobody to tell: the odds stay in a register
       double missed = progress.missed;
       const double fate = progress.fate;
       for (std::int64_t face = first; face < faces; face += 2) {
-        missed *= cells_.open(cells_.cell(column, row, k.kx, k.ky, kz));
+        missed *= cells_.open(cells_.cell_inside(column, row, s_.light));
         if (missed < fate) {
           progress.begin_pattern(rng);
           return face;
@@ -79,7 +77,7 @@ class PlanarPattern {
       return faces;
     }
     for (std::int64_t face = first; face < faces; face += 2) {
-      const std::size_t cell = cells_.cell(column, row, k.kx, k.ky, kz);
+      const std::size_t cell = cells_.cell_inside(column, row, s_.light);
       const bool met = progress.meets(cells_.open(cell), rng);
       if (estimates_ && progress.owes(NextEvent::estimates(cells_.depth(cell)))) {
         estimate(walk, face, to_face + static_cast<double>(face) * period, sums);
@@ -118,9 +116,7 @@ class PlanarPattern {
   }
 
  private:
-  std::size_t cell_here() const {
-    return cells_.cell(cells_.column(s_.x), cells_.row(s_.y), s_.light.kx, s_.light.ky, s_.light.kz);
-  }
+  [[gnu::always_inline]] std::size_t cell_here() const { return cells_.cell_met(cells_.column(s_.x), cells_.row(s_.y), s_.light); }
 
   bool meets_at(std::size_t cell, PlanarProgress& progress, core::PhotonRng& rng) {
     const bool met = progress.meets(cells_.open(cell), rng);

@@ -143,9 +143,11 @@ class PlanarPlateWalk {
           s_.load(walk.photon);
           return Around::kInside;
         }
+        if constexpr (Cells::kMovesLight) {
+          s_.x = walk.photon.position.x();
+          s_.y = walk.photon.position.y();
+        }
         s_.light = Light(walk.photon.light);
-        s_.x = walk.photon.position.x();
-        s_.y = walk.photon.position.y();
       } else if (gets_in(side, walk, rng)) {
         walk.photon.body = plate_.body;
         return Around::kInside;
