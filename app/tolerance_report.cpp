@@ -43,7 +43,7 @@ std::vector<std::string> yield_row(const std::string& name, const std::string& b
 std::vector<std::string> yield_columns() {
   return {"limit",     "bound",        "kept by",
           "yield (%)", "95 %",         "noise taken off (%)",
-          "95 %",      "near a limit", "if all of these fail to if all pass (%)"};
+          "95 %",      "near a limit", "if these all fail to all pass (%)"};
 }
 
 std::vector<std::vector<std::string>> yield_rows(const ToleranceOutcome& o) {

@@ -83,6 +83,8 @@ class SampleTracer {
     options.ranks = context_.options.ranks;
     options.progress = [this](std::uint64_t done, std::uint64_t) { context_.progress.photons(done_ + done, all_); };
     const tracer::DensityField density = tracer::initial_density(run.backlight);
+    run.backlight.angular.reset();  // no figure asks for them
+    run.backlight.color = false;
     const tracer::Scene scene = tracer::compile_scene(std::move(run.backlight));
     auto observation = traced_model(scene, std::move(options))(density, photons, step);
     done_ += photons;

@@ -18,7 +18,7 @@ constexpr const char* kNormalHelp = "standard deviation of a normal distribution
 std::vector<double> shares_of(const ConfigNode& node, std::size_t count) {
   const auto weights = node.numbers({"weights", "how often each of the choices comes, any unit; left out: all alike",
                                      Range::closed(0, 1e9), 0, kMostChoices, std::vector<double>{}});
-  if (!weights.empty() && weights.size() != count)
+  if (count > 0 && !weights.empty() && weights.size() != count)
     node.fault_at("weights",
                   fmt::format("must hold a number for each of the {} choices, got {}", count, weights.size()));
   std::vector<double> shares;

@@ -23,13 +23,17 @@ void MapSums::add(const tracer::LuminanceMap& map) {
     sums_.assign(kSums * values.size(), 0.0);
   }
   core::expects(map.luminance.grid == grid_, "all samples have the same cells");
-  const double mean = map.luminance.mean();
+  const double mean = map.luminance.mean(), cells = static_cast<double>(values.size());
+  double of_mean = 0.0;  // variance of the noise of the mean
+  for (const double se : map.standard_error.values) of_mean += se * se / (cells * cells);
   for (std::size_t i = 0; i < values.size(); ++i) {
-    const double value = values[i], se = map.standard_error.values[i], share = mean > 0.0 ? value / mean : 0.0;
-    const double share_se = mean > 0.0 ? se / mean : 0.0;
-    double* sums = &sums_[kSums * i];
-    const double terms[kSums] = {value, value * value, se * se, share, share * share, share_se * share_se};
-    for (std::size_t k = 0; k < kSums; ++k) sums[k] += terms[k];
+    const double value = values[i], variance = map.standard_error.values[i] * map.standard_error.values[i];
+    const double share = mean > 0.0 ? value / mean : 0.0;
+    // To first order, the noise of the cells independent: that of the mean holds that of the cell.
+    const double of_share =
+        mean > 0.0 ? (variance * (1.0 - 2.0 * share / cells) + share * share * of_mean) / (mean * mean) : 0.0;
+    const double terms[kSums] = {value, value * value, variance, share, share * share, of_share};
+    for (std::size_t k = 0; k < kSums; ++k) sums_[kSums * i + k] += terms[k];
   }
   ++count_;
 }

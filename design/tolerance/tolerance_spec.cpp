@@ -1,5 +1,7 @@
 #include "design/tolerance/tolerance_spec.h"
 
+#include <algorithm>
+#include <array>
 #include <utility>
 
 #include <fmt/format.h>
@@ -40,6 +42,16 @@ const KindRow* row_of(const std::string& name) {
 
 bool is_of_dots(Kind kind) {
   return kind == Kind::dot_growth || kind == Kind::dot_size || kind == Kind::dot_place || kind == Kind::dot_region;
+}
+
+/// Dots that wander over many cells are no longer those of the design.
+void check_place(const ConfigNode& node, const tracer::BacklightSpec& backlight, const Variation& variation) {
+  const core::Vec3 size = backlight.area.max - backlight.area.min;
+  const auto& cells = *backlight.microstructure;
+  const double most = 250.0 * std::min(size.x() / cells.nx, size.y() / cells.ny);
+  if (variation.distribution.spread <= most) return;
+  node.fault_at("normal", fmt::format("must be at most {:.4g} um, a quarter of a cell of the density, got {:.6g}", most,
+                                      variation.distribution.spread));
 }
 
 void read_film(const ConfigNode& node, const tracer::BacklightSpec& backlight, Variation& variation) {
@@ -103,6 +115,7 @@ Variation read_variation(const ConfigNode& node, const tracer::BacklightSpec& ba
                      Range::closed(0.1, 10000), 20.0});
   if (is_of_dots(row.kind) && !backlight.microstructure)
     node.fault_at("kind", "must not vary dots, as the backlight has no microstructure");
+  if (row.kind == Kind::dot_place && backlight.microstructure) check_place(node, backlight, variation);
   if (row.kind == Kind::film_angle) read_film(node, backlight, variation);
   if (row.kind == Kind::led_flux || row.kind == Kind::led_along || row.kind == Kind::led_height)
     read_source(node, backlight, variation);
