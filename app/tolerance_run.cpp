@@ -12,7 +12,7 @@
 #include "design/engine/state_file.h"
 #include "design/engine/traced_model.h"
 #include "design/tolerance/figures.h"
-#include "design/tolerance/noise_shift.h"
+#include "design/tolerance/half_traces.h"
 
 namespace evenglow::app {
 namespace {
@@ -107,6 +107,13 @@ std::vector<core::Estimate> checked_figures(const design::Observation& observati
       what + ": no light on a part of the display that is measured (more photons may help: " + "tolerance.photons)");
 }
 
+/// Each sample reads the run file and its data anew.
+core::Error changed_underway(const ToleranceJob& job) {
+  return core::Error(core::one_line(job.file.string()) +
+                     ": the file, or one that it names, has changed while the samples were traced (--overwrite begins "
+                     "anew)");
+}
+
 std::string told(const design::ToleranceSamples& run, int all) {
   const auto& f = run.samples.back().figures;
   return fmt::format("sample {} of {}: RMS {:.2f} %, uniformity {:.3f}, luminance {:.1f} cd/m2", run.samples.size(),
@@ -121,8 +128,6 @@ bool trace_nominal(const ToleranceJob& job, std::uint64_t photons, SampleTracer&
   const auto observation = tracer.trace(std::move(nominal), photons, 0, design::kJudgingStep);
   if (!observation) return false;
   run.reference = checked_figures(*observation, job.nominal.design, "the nominal design");
-  run.shift = design::noise_shift(observation->luminance, observation->map.luminance.grid, observation->photons,
-                                  job.nominal.tolerance.photons);
   return true;
 }
 
@@ -145,6 +150,7 @@ std::optional<design::ToleranceSamples> run_tolerance(const ToleranceJob& job, c
   while (static_cast<int>(run.samples.size()) < spec.samples) {
     const int number = static_cast<int>(run.samples.size()) + 1;
     ToleranceSample sample = make_sample(job, number);
+    if (sample.run.file_text != job.nominal.file_text) throw changed_underway(job);
     const auto step = static_cast<std::uint32_t>(spec.common_numbers ? 0 : number);
     const auto observation = tracer.trace(std::move(sample.run), spec.photons, kSampleStream, step);
     if (!observation) {
@@ -152,11 +158,13 @@ std::optional<design::ToleranceSamples> run_tolerance(const ToleranceJob& job, c
       return std::nullopt;
     }
     auto figures = checked_figures(*observation, job.nominal.design, fmt::format("sample {}", number));
-    run.samples.push_back({std::move(sample.parameters), std::move(figures)});
+    run.samples.push_back({std::move(sample.parameters), std::move(figures),
+                           design::half_traces(observation->luminance, observation->map.luminance.grid)});
     run.maps.add(observation->map);
     if (number % tenth == 0) context.progress.line(told(run, spec.samples));
     state.save_in_time(run);
   }
+  if (run_identity(job.nominal, 0) != identity) throw changed_underway(job);
   state.save(run);
   return run;
 }

@@ -1,3 +1,6 @@
+#include <array>
+#include <limits>
+
 #include <nlohmann/json.hpp>
 
 #include "app/tolerance_run.h"
@@ -29,14 +32,23 @@ std::vector<core::Estimate> estimates_of(const Json& list) {
   return estimates;
 }
 
+std::array<double, 2> pair_of(const Json& node) {
+  return {number_of(node.at(0)), number_of(node.at(1))};
+}
+
 }  // namespace
 
 std::string tolerance_state(const std::string& identity, const design::ToleranceSamples& run) {
   Json samples = Json::array();
   for (const design::SampleResult& s : run.samples)
-    samples.push_back({{"parameters", s.parameters}, {"figures", pairs_of(s.figures)}});
-  return Json{{"format", kStateFormat},       {"identity", identity},          {"reference", pairs_of(run.reference)},
-              {"shift", pairs_of(run.shift)}, {"samples", std::move(samples)}, {"maps", run.maps.numbers()}}
+    samples.push_back({{"parameters", s.parameters},
+                       {"figures", pairs_of(s.figures)},
+                       {"halves", {s.halves.nine, s.halves.thirteen}}});
+  return Json{{"format", kStateFormat},
+              {"identity", identity},
+              {"reference", pairs_of(run.reference)},
+              {"samples", std::move(samples)},
+              {"maps", run.maps.numbers()}}
       .dump();
 }
 
@@ -48,9 +60,10 @@ design::ToleranceSamples read_tolerance_state(const std::string& object, const s
     throw core::Error("it is of another run (the run file or an option has changed)");
   design::ToleranceSamples run;
   run.reference = estimates_of(node.at("reference"));
-  run.shift = estimates_of(node.at("shift"));
   for (const Json& s : node.at("samples"))
-    run.samples.push_back({s.at("parameters").get<std::vector<double>>(), estimates_of(s.at("figures"))});
+    run.samples.push_back({s.at("parameters").get<std::vector<double>>(),
+                           estimates_of(s.at("figures")),
+                           {pair_of(s.at("halves").at(0)), pair_of(s.at("halves").at(1))}});
   const auto numbers = node.at("maps").get<std::vector<double>>();
   if (!run.samples.empty() && !run.maps.restore(cells, run.samples.size(), numbers))
     throw core::Error("it is of other cells");

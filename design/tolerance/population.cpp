@@ -26,14 +26,16 @@ Population population_of(const std::vector<core::Estimate>& samples, bool common
     noise += s.se * s.se / n;
     sorted.push_back(s.value);
   }
-  double m2 = 0.0, m4 = 0.0;
+  double m2 = 0.0, m4 = 0.0, of_noise = 0.0;
   for (const core::Estimate& s : samples) {
     const double square = (s.value - p.mean.value) * (s.value - p.mean.value);
     m2 += square / n;
     m4 += square * square / n;
+    of_noise += (s.se * s.se - noise) * (s.se * s.se - noise) / n;
   }
   const double variance = m2 * n / (n - 1.0);
-  const double of_variance = std::sqrt(std::max(0.0, (m4 - (n - 3.0) / (n - 1.0) * variance * variance) / n));
+  const double of_seen = std::max(0.0, (m4 - (n - 3.0) / (n - 1.0) * variance * variance) / n);
+  const double of_variance = std::sqrt(of_seen + (common ? 0.0 : of_noise / n));
   const double own = common ? variance : variance - noise;
   p.mean.se = std::sqrt(variance / n);
   p.seen = std::sqrt(variance);

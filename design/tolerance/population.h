@@ -21,8 +21,9 @@ struct Population {
 
 /// The variance of the population is that of the samples less their mean squared standard error: unbiased where the
 /// noise of a sample is independent of its value and of the others. The variance of the samples' variance s^2 is
-/// (m4 - (n - 3) / (n - 1) s^4) / n (Cramer, Mathematical Methods of Statistics, 1946, eq. 27.4.2). Samples whose noise
-/// is common (`common`) are taken as they are: what is common shifts them all. At least 3 samples, finite.
+/// (m4 - (n - 3) / (n - 1) s^4) / n (Cramer, Mathematical Methods of Statistics, 1946, eq. 27.4.2); that of the noise,
+/// the variance of the squared errors over n, is added. Samples whose noise is common (`common`) are taken as they are:
+/// what is common shifts them all. At least 3 samples, finite.
 Population population_of(const std::vector<core::Estimate>& samples, bool common = false);
 
 /// The samples with as much spread as the population has: each moved towards the mean by the factor `spread` / `seen`,

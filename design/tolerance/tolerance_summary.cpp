@@ -1,6 +1,7 @@
 #include "design/tolerance/tolerance_summary.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -16,13 +17,28 @@ std::vector<core::Estimate> seen_of(const ToleranceSamples& run, std::size_t fig
   return values;
 }
 
+/// The noise of the uniformities from the halves of the traces: their errors replaced, their shift told.
+core::Estimate take_halves(const ToleranceSamples& run, std::array<double, 2> HalfTraces::*halves,
+                           std::vector<core::Estimate>& seen) {
+  std::vector<std::array<double, 2>> pairs;
+  std::vector<double> wholes;
+  for (std::size_t i = 0; i < seen.size(); ++i) {
+    pairs.push_back(run.samples[i].halves.*halves);
+    wholes.push_back(seen[i].value);
+  }
+  const HalfNoise noise = noise_of_halves(pairs, wholes);
+  for (std::size_t i = 0; i < seen.size(); ++i) seen[i].se = noise.se[i];
+  return noise.shift;
+}
+
 FigureSummary summary_of(const ToleranceSpec& spec, const ToleranceSamples& run, std::size_t figure) {
   FigureSummary summary;
-  const auto seen = seen_of(run, figure);
+  auto seen = seen_of(run, figure);
+  const auto index = static_cast<int>(figure);
+  if (index == figure_index("uniformity_9")) summary.shift = take_halves(run, &HalfTraces::nine, seen);
+  if (index == figure_index("uniformity_13")) summary.shift = take_halves(run, &HalfTraces::thirteen, seen);
   summary.population = population_of(seen, spec.common_numbers);
-  summary.shift = run.shift[figure];
-  const double shift = std::isfinite(summary.shift.value) ? summary.shift.value : 0.0;
-  summary.corrected = without_noise(seen, summary.population, shift);
+  summary.corrected = without_noise(seen, summary.population, summary.shift.value);
   std::vector<std::vector<double>> parameters;
   std::vector<double> values;
   for (const SampleResult& s : run.samples) {
@@ -55,6 +71,7 @@ ToleranceSummary summarize(const ToleranceSpec& spec, const ToleranceSamples& ru
   for (const Limit& limit : spec.limits) {
     const auto f = static_cast<std::size_t>(figure_index(limit.figure));
     limited.push_back({limit, seen_of(run, f), summary.figures[f].corrected});
+    for (core::Estimate& e : limited.back().seen) e.se = summary.figures[f].population.noise;
     deviations.push_back(summary.figures[f].population.seen);
     summary.yields.push_back(yield_of({limited.back()}));
   }

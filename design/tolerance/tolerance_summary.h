@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "design/tolerance/half_traces.h"
 #include "design/tolerance/map_sums.h"
 #include "design/tolerance/population.h"
 #include "design/tolerance/sensitivity.h"
@@ -16,12 +17,12 @@ namespace evenglow::design {
 struct SampleResult {
   std::vector<double> parameters;       ///< as `parameter_names`
   std::vector<core::Estimate> figures;  ///< as `kFigures`
+  HalfTraces halves{};
 };
 
 /// The samples of a tolerance run and the design that they vary about.
 struct ToleranceSamples {
   std::vector<core::Estimate> reference;  ///< figures of the nominal design, from many photons
-  std::vector<core::Estimate> shift;      ///< `noise_shift` at the photons of a sample
   std::vector<SampleResult> samples;      ///< the first is sample 1
   MapSums maps;
 };
@@ -29,7 +30,7 @@ struct ToleranceSamples {
 /// One figure over all samples.
 struct FigureSummary {
   Population population;
-  core::Estimate shift;           ///< what noise adds to the mean; taken off `corrected`
+  core::Estimate shift;           ///< what noise adds to the mean; taken off `corrected` (0 but for uniformities)
   std::vector<double> corrected;  ///< of each sample, noise taken off
   std::optional<Sensitivity> sensitivity;
 };
@@ -42,7 +43,7 @@ struct ToleranceSummary {
 };
 
 /// The samples are ranked by how far they keep (or miss) their tightest limit, in standard deviations of the figure as
-/// seen; without limits by their RMS.
+/// seen; without limits by their RMS. The noise of a sample, for its nearness to a limit, is that of all on average.
 ToleranceSummary summarize(const ToleranceSpec& spec, const ToleranceSamples& run);
 
 }  // namespace evenglow::design

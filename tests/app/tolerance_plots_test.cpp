@@ -13,9 +13,9 @@ TEST(TolerancePlots, HistogramHoldsEverySampleAndTheLimits) {
   spec.limits = {{"uniformity_9", 0.8, 0.99}};
   design::ToleranceSamples run;
   run.reference.assign(design::kFigures.size(), {0.9, 0.01});
-  run.shift.assign(design::kFigures.size(), {});
   for (int i = 0; i < 50; ++i)
-    run.samples.push_back({{1.0 * i}, std::vector<core::Estimate>(design::kFigures.size(), {0.7 + 0.005 * i, 0.02})});
+    run.samples.push_back(
+        {{1.0 * i}, std::vector<core::Estimate>(design::kFigures.size(), {0.7 + 0.005 * i, 0.02}), {}});
   const auto plot = figure_histogram(1, spec, run, summarize(spec, run));
   ASSERT_EQ(plot.curves.size(), 5U);  // as traced, without noise, nominal, two limits
   for (std::size_t c = 0; c < 2; ++c) {

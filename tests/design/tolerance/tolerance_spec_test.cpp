@@ -78,7 +78,8 @@ TEST(ToleranceSpec, TakesTheDensityOfAResult) {
 }
 
 TEST(ToleranceSpec, FaultsOfLimits) {
-  EXPECT_THAT(faults("{limits: {rms: {max: 0.1}}}"), ElementsAre(HasSubstr("limits.rms: unknown key, known here: rms_corrected")));
+  EXPECT_THAT(faults("{limits: {rms: {max: 0.1}}}"),
+              ElementsAre(HasSubstr("limits.rms: unknown key, known here: rms_corrected")));
   EXPECT_THAT(faults("{limits: {efficiency: {}}}"), ElementsAre(HasSubstr("must have min, max or both")));
   EXPECT_THAT(faults("{limits: {efficiency: {min: 0.5, max: 0.4}}}"), ElementsAre(HasSubstr("must be less than max")));
 }

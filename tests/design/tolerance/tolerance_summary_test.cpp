@@ -1,5 +1,7 @@
 #include "design/tolerance/tolerance_summary.h"
 
+#include <cmath>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -14,12 +16,11 @@ using testing::ElementsAre;
 ToleranceSamples samples_of(const std::vector<std::pair<double, double>>& rms_and_uniformity) {
   ToleranceSamples run;
   run.reference.assign(kFigures.size(), {1.0, 0.01});
-  run.shift.assign(kFigures.size(), {});
-  run.shift[1] = {-0.02, 0.001};
   for (const auto& [rms, uniformity] : rms_and_uniformity) {
     SampleResult s{{rms}, std::vector<core::Estimate>(kFigures.size(), {1.0, 0.01})};
     s.figures[0] = {rms, 0.0};
     s.figures[1] = {uniformity, 0.0};
+    s.halves = {{uniformity, uniformity}, {1.0, 1.0}};
     run.samples.push_back(std::move(s));
   }
   return run;
@@ -43,11 +44,23 @@ TEST(ToleranceSummary, RanksByTheRmsWithoutLimits) {
   EXPECT_FALSE(s.all);
 }
 
-TEST(ToleranceSummary, TakesTheShiftOfTheNoiseOff) {
-  const auto run = samples_of({{0.01, 0.95}, {0.06, 0.90}, {0.03, 0.70}});
-  const ToleranceSummary s = summarize({}, run);
-  for (std::size_t i = 0; i < 3; ++i)
-    EXPECT_NEAR(s.figures[1].corrected[i], run.samples[i].figures[1].value + 0.02, 1e-12);
+/// Halves that lie 0.02 lower and 0.04 apart: a noise of 0.02, a shift of -0.02 / (sqrt(2) - 1).
+TEST(ToleranceSummary, TakesTheNoiseOfTheHalvesOff) {
+  auto run = samples_of({{0.01, 0.95}, {0.06, 0.90}, {0.03, 0.70}});
+  for (SampleResult& s : run.samples) {
+    const double u = s.figures[1].value;
+    s.halves.nine = {u - 0.04, u};
+    s.figures[1].se = 77.0;  // that of the jackknife does not count
+  }
+  ToleranceSpec spec;
+  spec.limits = {{"uniformity_9", 0.93, {}}};
+  const ToleranceSummary s = summarize(spec, run);
+  EXPECT_NEAR(s.figures[1].population.noise, 0.02, 1e-12);
+  EXPECT_NEAR(s.figures[1].shift.value, -0.02 / (std::sqrt(2.0) - 1.0), 1e-12);
+  double mean = 0.0;
+  for (const double v : s.figures[1].corrected) mean += v / 3.0;
+  EXPECT_NEAR(mean, 0.85 + 0.02 / (std::sqrt(2.0) - 1.0), 1e-12);
+  EXPECT_EQ(s.yields[0].near_limit, 2) << "0.95 and 0.90 lie within two noises of 0.93";
 }
 
 }  // namespace
