@@ -193,7 +193,13 @@ ToleranceJob read_tolerance_job(const Options& options) {
     throw core::ConfigError(core::Fault{job.file.string(), 0, 0, "tolerance.variations",
                                         "must be a list of {kind: led_flux, normal: 0.05} and the like, got nothing"});
   }
-  read_nominal(changed_document(options), job);
+  const ConfigDocument document = changed_document(options);
+  if (varies_dots(spec) && node_at(document.root(), "backlight.microstructure.dots_file")) {
+    throw core::ConfigError(core::Fault{job.file.string(), 0, 0, "tolerance.variations",
+                                        "must not vary the dots of a dots_file, which are traced one by one: what "
+                                        "varies is their density (leave dots_file out)"});
+  }
+  read_nominal(document, job);
   job.density = tracer::initial_density(job.nominal.backlight).cells;
   if (!spec.density.empty()) job.density = spec.density.over(job.density.grid);
   set_density(job.nominal, job.density);

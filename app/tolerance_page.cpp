@@ -23,7 +23,7 @@ std::string element(const char* tag, const std::string& text) {
 
 /// A table whose cells are HTML already.
 std::string table(const std::vector<std::string>& columns, const std::vector<std::vector<std::string>>& rows) {
-  std::string html = "<div class=\"scroll\"><table>\n<thead><tr>";
+  std::string html = "<div class=\"scroll spots\"><table>\n<thead><tr>";
   for (const std::string& column : columns) html += "<th>" + html_escape(column) + "</th>";
   html += "</tr></thead>\n<tbody>\n";
   for (const auto& row : rows) {
@@ -59,9 +59,10 @@ std::string cards(const ToleranceOutcome& o) {
   for (const std::size_t i : figure_order(o.spec())) {
     const design::Figure& f = design::kFigures[i];
     const design::Population& p = o.summary.figures[i].population;
-    html += card(
-        std::string(f.title) + " (" + f.unit + ")", design::rounded(f.scale * p.mean.value),
-        "spread " + design::measured(p.spread, f.scale) + "; nominal " + design::measured(o.run.reference[i], f.scale));
+    html +=
+        card(std::string(f.title) + " (" + f.unit + ")", design::rounded(f.scale * p.mean.value),
+             (p.spread.value > 0.0 ? "spread " + design::measured(p.spread, f.scale) : "no spread beyond the noise") +
+                 "; nominal " + design::measured(o.run.reference[i], f.scale));
   }
   return html + "</div>\n";
 }

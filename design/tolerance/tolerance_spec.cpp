@@ -67,9 +67,8 @@ void read_film(const ConfigNode& node, const tracer::BacklightSpec& backlight, V
 
 void read_source(const ConfigNode& node, const tracer::BacklightSpec& backlight, Variation& variation) {
   const auto& kinds = backlight.source_kinds;
-  if (node.has("source"))
-    variation.source = static_cast<int>(
-        node.integer({"source", "which row of LEDs, counted from 0 as in sources[0]; left out: all", 0, 999, 0}));
+  variation.source = static_cast<int>(
+      node.integer({"source", "which row of LEDs, counted from 0 as in sources[0]; -1: all", -1, 999, -1}));
   const auto index = static_cast<std::size_t>(std::max(0, variation.source));
   if (variation.source >= 0 && (index >= kinds.size() || kinds[index] != "led_row"))
     node.fault_at("source", fmt::format("must name a led_row of the backlight, got {}", variation.source));

@@ -57,7 +57,9 @@ TEST(HalfTraces, TellTheNoiseOfUniformitiesAndItsShift) {
     EXPECT_NEAR(told / seen, 1.0, tests::two_sided_z(1e-3) * std::sqrt(4.0 / kTraces) + 0.05) << tilt;
     const double se = std::hypot(noise.shift.se, std::sqrt(seen / kTraces));
     EXPECT_NEAR(noise.shift.value, mean - truth, tests::two_sided_z(1e-3) * se + 0.003 * tilt) << tilt;
-    if (tilt == 0.0) EXPECT_LT(mean - truth, -0.02) << "or there was no shift to tell";
+    if (tilt == 0.0) {
+      EXPECT_LT(mean - truth, -0.02) << "or there was no shift to tell";
+    }
   }
 }
 
