@@ -51,6 +51,9 @@ constexpr Command kCommands[] = {
     {"optimize", "turn a few scalar keys (list `optimize` of the file), a design of the density at each point",
      "evenglow optimize configs/studies/phone_optimize.yaml -o out/optimize", false, true,
      evenglow::app::optimize_command},
+    {"tolerance", "draw backlights as production makes them: spread of their figures, yield against limits",
+     "evenglow tolerance configs/studies/tolerance_phone.yaml --design out/phone_dbef", false, true,
+     evenglow::app::tolerance_command},
     {"batch", "design each run of the files: their variants at each point of their sweep; one summary table",
      "evenglow batch configs/*.yaml -o out/overnight", true, true, evenglow::app::batch_command},
     {"paths", "draw the stack in section with the ways of a few photons, colored by their polarization (SVG)",
@@ -103,6 +106,18 @@ void add_paths_options(CLI::App& command, Options& options) {
                   "stretch along x that is drawn, mm (default: at the left edge, twelve times as long as high)")
       ->expected(2)
       ->type_name("FROM TO");
+}
+
+void add_tolerance_options(CLI::App& command, Options& options) {
+  command
+      .add_option("--design", options.design,
+                  "result of a design whose density is made (tolerance.result; default: what the run file says)")
+      ->type_name("DIR");
+  command
+      .add_option("--sample", options.sample,
+                  "replay this sample alone (from 1; 0: the nominal design), with trace.photons and its whole report")
+      ->check(CLI::Range(0, 100000).description(""))
+      ->type_name("N");
 }
 
 void add_photon_options(CLI::App& command, Options& options) {
@@ -179,6 +194,7 @@ int run(int argc, char** argv, evenglow::core::RankGroup& ranks) {
     if (command.traces) add_trace_options(*sub, options, command.run != evenglow::app::simulate_command);
     if (command.run == evenglow::app::batch_command)
       sub->add_flag("--simulate", options.simulate, "one trace of each run instead of a design");
+    if (command.run == evenglow::app::tolerance_command) add_tolerance_options(*sub, options);
     if (command.run == evenglow::app::paths_command) add_paths_options(*sub, options);
     if (command.run == evenglow::app::trace_command) add_photon_options(*sub, options);
     sub->callback([&chosen, &command] { chosen = &command; });

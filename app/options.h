@@ -30,6 +30,8 @@ struct Options {
   std::uint32_t step = 0;            ///< of the trace that it belongs to
   std::uint32_t stream = 0;          ///< number of the variant that it belongs to
   std::filesystem::path state;       ///< checkpoint whose density the photon meets; empty: the density of the run file
+  std::filesystem::path design;      ///< result whose density a tolerance run makes; empty: as the run file says
+  std::optional<int> sample;         ///< the one to replay, from 1; 0: the nominal design
   int path_count = 12;               ///< ways to draw
   std::vector<double> window;        ///< mm along x that are drawn, from and to
   core::RankGroup* ranks = nullptr;  ///< that share the run (rank_role.h); null: this process alone

@@ -14,19 +14,32 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::array<const char*, 45> kResultNames = {
-    "result.json",     "compare.json",      "report.html",        "convergence.csv",
-    "luminance.csv",   "luminance_se.csv",  "density.csv",        "angular.csv",
-    "compare.csv",     "convergence.png",   "luminance.png",      "density.png",
-    "compare.png",     "color_u.csv",       "color_u_se.csv",     "color_v.csv",
-    "color_v_se.csv",  "delta_uv.csv",      "delta_uv_se.csv",    "delta_uv.png",
-    "hot_spots.csv",   "angular_spots.csv", "batch.json",         "batch.csv",
-    "batch.html",      "thumbnail.png",     "pareto.json",        "pareto.csv",
-    "pareto.html",     "pareto.png",        "bench.json",         "bench.csv",
-    "bench.txt",       "bench.html",        "bench.png",          "optimize.json",
-    "optimize.csv",    "optimize.html",     "optimize.png",       "maps.vti",
-    "density.vti",     "maps.h5",           "dots_luminance.csv", "dots_luminance_se.csv",
-    "dots_density.csv"};
+constexpr std::array<const char*, 51> kResultNames = {"result.json",         "compare.json",
+                                                      "report.html",         "convergence.csv",
+                                                      "luminance.csv",       "luminance_se.csv",
+                                                      "density.csv",         "angular.csv",
+                                                      "compare.csv",         "convergence.png",
+                                                      "luminance.png",       "density.png",
+                                                      "compare.png",         "color_u.csv",
+                                                      "color_u_se.csv",      "color_v.csv",
+                                                      "color_v_se.csv",      "delta_uv.csv",
+                                                      "delta_uv_se.csv",     "delta_uv.png",
+                                                      "hot_spots.csv",       "angular_spots.csv",
+                                                      "batch.json",          "batch.csv",
+                                                      "batch.html",          "thumbnail.png",
+                                                      "pareto.json",         "pareto.csv",
+                                                      "pareto.html",         "pareto.png",
+                                                      "bench.json",          "bench.csv",
+                                                      "bench.txt",           "bench.html",
+                                                      "bench.png",           "optimize.json",
+                                                      "optimize.csv",        "optimize.html",
+                                                      "optimize.png",        "maps.vti",
+                                                      "density.vti",         "maps.h5",
+                                                      "dots_luminance.csv",  "dots_luminance_se.csv",
+                                                      "dots_density.csv",    "tolerance.json",
+                                                      "tolerance.csv",       "tolerance.html",
+                                                      "tolerance.png",       "luminance_mean.csv",
+                                                      "luminance_spread.csv"};
 
 constexpr std::size_t kProvedBytes = std::size_t{2} << 20;  // more than the state of a fine design takes
 

@@ -26,6 +26,8 @@ std::string repeating_command(const std::string& command, const Options& options
   for (const std::string& change : options.set) text += " --set " + quoted(change);
   if (options.seed) text += " --seed " + quoted(*options.seed);
   if (options.photons) text += " --photons " + quoted(*options.photons);
+  if (!options.design.empty()) text += " --design " + quoted(options.design.string());
+  if (options.sample) text += " --sample " + std::to_string(*options.sample);
   return text;
 }
 

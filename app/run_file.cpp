@@ -24,6 +24,13 @@ void check_version(const core::ConfigNode& root) {
                 fmt::format("must be 1, the version of the format that this program reads, got {}", version));
 }
 
+/// A text as YAML, whatever it holds.
+std::string quoted_yaml(const std::string& text) {
+  std::string yaml = "'";
+  for (const char c : text) yaml += c == '\'' ? std::string("''") : std::string(1, c);
+  return yaml + "'";
+}
+
 /// A path that the backlight does not allow is told before the first photon.
 void check_path(const ConfigDocument& document, const Run& run) {
   const bool by_dots = run.backlight.microstructure && run.backlight.microstructure->dots;
@@ -107,6 +114,7 @@ Run read_keys(const ConfigDocument& document, Purpose purpose) {
       design::read_dots(root.map("dots", "how the density becomes real dots (evenglow dots)"),
                         shape == "pyramid" || shape == "v_groove" ? core::Footprint::square : core::Footprint::round);
   if (purpose == Purpose::kDesign) check_verify(root, run);
+  run.tolerance = design::read_tolerance(root, run.backlight);
   run.output = root.choices({"output", "formats of the result files", design::output_formats(),
                              fmt::format("{}", fmt::join(design::default_output_formats(), ","))});
   if (run.output.empty()) root.fault_at("output", "must name at least one format, got none");
@@ -124,6 +132,10 @@ std::vector<core::ConfigDocument::Override> option_overrides(const Options& opti
     }
     result.push_back({text.substr(0, equals), text.substr(equals + 1), "--set"});
   }
+  if (!options.design.empty()) {
+    const std::string path = std::filesystem::absolute(options.design).lexically_normal().string();
+    result.push_back({"tolerance.result", quoted_yaml(path), "--design"});
+  }
   if (options.seed) result.push_back({"trace.seed", *options.seed, "--seed"});
   if (options.photons) result.push_back({"trace.photons", *options.photons, "--photons"});
   return result;
@@ -133,11 +145,13 @@ Run read_run(const std::filesystem::path& file, const Options& options, Purpose 
   return read_point(file, {}, options, purpose);
 }
 
-Run read_point(const std::filesystem::path& file, const RunPoint& point, const Options& options, Purpose purpose) {
+Run read_point(const std::filesystem::path& file, const RunPoint& point, const Options& options, Purpose purpose,
+               const std::vector<ConfigDocument::Override>& last) {
   ConfigDocument document = ConfigDocument::load(file);
   std::vector<ConfigDocument::Override> overrides = point.changes;
   const auto from_options = option_overrides(options);
   overrides.insert(overrides.end(), from_options.begin(), from_options.end());
+  overrides.insert(overrides.end(), last.begin(), last.end());
   Run run = read(document, overrides, purpose);
   run.variant = point.name;
   if (options.helper) run.output.clear();

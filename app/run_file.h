@@ -9,6 +9,7 @@
 #include "design/dots/dot_spec.h"
 #include "design/engine/outer_design.h"
 #include "design/problem/design_spec.h"
+#include "design/tolerance/tolerance_spec.h"
 #include "tracer/scene/backlight_spec.h"
 #include "tracer/transport/tracer.h"
 
@@ -23,6 +24,7 @@ struct Run {
   design::DesignSpec design;
   design::OuterSpec outer;  ///< of `evenglow optimize`; no variables: the file names none
   design::DotSpec dots;
+  design::ToleranceSpec tolerance;  ///< of `evenglow tolerance`; no variations: the file names none
   std::vector<std::string> output;  ///< formats
   std::string file_text;
   std::vector<std::string> overrides;             ///< key=value
@@ -56,8 +58,8 @@ struct RunPoint {
 /// `variants` and `sweep` themselves show when a point is read.
 std::vector<RunPoint> run_points(const std::filesystem::path& file);
 
-/// Reads the run of a point. Throws ConfigError with all faults.
+/// Reads the run of a point; `last` changes it once more, after the options. Throws ConfigError with all faults.
 Run read_point(const std::filesystem::path& file, const RunPoint& point, const Options& options,
-               Purpose purpose = Purpose::kTrace);
+               Purpose purpose = Purpose::kTrace, const std::vector<core::ConfigDocument::Override>& last = {});
 
 }  // namespace evenglow::app

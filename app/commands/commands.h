@@ -22,6 +22,7 @@ int design_command(const Session& session);
 int compare_command(const Session& session);
 int pareto_command(const Session& session);
 int optimize_command(const Session& session);
+int tolerance_command(const Session& session);
 int batch_command(const Session& session);
 /// Where a batch goes.
 std::filesystem::path batch_directory(const Options& options);

@@ -1,6 +1,7 @@
 #include "tracer/sources/led_row.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <fmt/core.h>
 
@@ -53,9 +54,9 @@ class LedRow final : public Source {
   std::vector<SourceWindow> windows() const override {
     std::vector<SourceWindow> result;
     for (int i = 0; i < keys_.count; ++i) {
-      const double along = place(i);
-      result.push_back({along - 0.5 * keys_.width, along + 0.5 * keys_.width, center_z_ - 0.5 * keys_.height,
-                        center_z_ + 0.5 * keys_.height});
+      const double along = place(i), z = height(i);
+      result.push_back(
+          {along - 0.5 * keys_.width, along + 0.5 * keys_.width, z - 0.5 * keys_.height, z + 0.5 * keys_.height});
     }
     return result;
   }
@@ -63,7 +64,7 @@ class LedRow final : public Source {
   Photon emit(core::PhotonRng& rng) const override {
     const int led = choose(rng.uniform());
     const double along = place(led) + (rng.uniform() - 0.5) * keys_.width;
-    const double z = center_z_ + (rng.uniform() - 0.5) * keys_.height;
+    const double z = height(led) + (rng.uniform() - 0.5) * keys_.height;
     const core::Vec3 k = keys_.pattern.sample(rng, axes_);
     Photon photon;
     photon.quad = led;
@@ -77,6 +78,11 @@ class LedRow final : public Source {
   double place(int led) const {
     const double even = first_along_ + pitch_ * led;
     return tolerances_.offsets.empty() ? even : even + tolerances_.offsets[static_cast<std::size_t>(led)];
+  }
+
+  /// Middle of an LED across the edge (mm).
+  double height(int led) const {
+    return tolerances_.heights.empty() ? center_z_ : center_z_ + tolerances_.heights[static_cast<std::size_t>(led)];
   }
 
   /// An LED by its flux; a dark one never.
@@ -98,6 +104,34 @@ class LedRow final : public Source {
   double center_z_ = 0.0;
   core::Vec3 plane_;
 };
+
+/// LEDs that were shifted one by one must not reach each other, nor stick out of the edge.
+void check_shifts(const core::ConfigNode& node, const LedRowKeys& keys, double length, double thickness) {
+  constexpr double kSlack = 1e-9;
+  const auto shift = [&](int led) {
+    return keys.tolerances.offsets.empty() ? 0.0 : keys.tolerances.offsets[static_cast<std::size_t>(led)];
+  };
+  const double pitch = keys.pitch.value_or(length / keys.count);
+  const double reach = kToleranceCut * keys.tolerances.position_spread;  // of what the seed draws besides
+  const double row = pitch * (keys.count - 1) + keys.width;
+  double room = 0.5 * (length - row) + shift(0);
+  room = std::min(room, 0.5 * (length - row) - shift(keys.count - 1)) - reach;
+  for (int i = 1; i < keys.count; ++i)
+    room = std::min(room, pitch + shift(i) - shift(i - 1) - keys.width - 2.0 * reach);
+  if (!keys.tolerances.offsets.empty() && room < -kSlack) {
+    node.fault_at(
+        "offsets_mm",
+        fmt::format("must leave the LEDs beside each other on the edge, got a shift that is {:.4g} mm too far", -room));
+  }
+  const double above = 0.5 * (thickness - keys.height);
+  for (const double height : keys.tolerances.heights) {
+    if (std::abs(height) <= above + kSlack) continue;
+    node.fault_at("height_offsets_mm",
+                  fmt::format("must keep the LED within the plate's thickness (at most {:.4g} mm), got {:.6g} mm",
+                              std::max(0.0, above), height));
+    break;
+  }
+}
 
 void check_fits(const core::ConfigNode& node, const LedRowKeys& keys, const Box& plate) {
   const int a = keys.edge == Side::kLeft || keys.edge == Side::kRight ? 1 : 0;
@@ -137,6 +171,7 @@ void check_fits(const core::ConfigNode& node, const LedRowKeys& keys, const Box&
                                                       room / kToleranceCut, keys.tolerances.position_spread));
     }
   }
+  check_shifts(node, keys, length, thickness);
 }
 
 }  // namespace

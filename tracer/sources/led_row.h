@@ -16,6 +16,7 @@ namespace evenglow::tracer {
 /// | flux_lm | luminous flux of each LED | that of a pattern_file in cd, else 9 |
 /// | pattern, exponent, half_angle_deg, pattern_file, pattern_turn_deg | pattern_keys.h | lambertian |
 /// | fluxes_lm, flux_spread, position_spread_mm, tolerance_seed, off | led_tolerances.h | all alike, all on |
+/// | flux_factors, offsets_mm, height_offsets_mm | of each LED, led_tolerances.h | none |
 /// | reflectance | of the window (phosphor and package) for light that comes back, Lambertian | 0.5 |
 SourceSpec make_led_row(const core::ConfigNode& node);
 

@@ -45,6 +45,23 @@ std::vector<int> read_off(const core::ConfigNode& node, int count) {
   return off;
 }
 
+/// A list that is empty or holds a number for each LED.
+std::vector<double> read_each(const core::ConfigNode& node, const core::NumbersKey& declaration, int count) {
+  std::vector<double> values = node.numbers(declaration);
+  if (!values.empty() && static_cast<int>(values.size()) != count) {
+    node.fault_at(declaration.key,
+                  fmt::format("must hold a number for each of the {} LEDs, got {}", count, values.size()));
+    values.clear();
+  }
+  return values;
+}
+
+/// The sum of two lists of which either may be empty.
+void add_to(std::vector<double>& values, const std::vector<double>& more) {
+  if (values.empty()) values.assign(more.size(), 0.0);
+  for (std::size_t i = 0; i < more.size(); ++i) values[i] += more[i];
+}
+
 }  // namespace
 
 LedToleranceKeys read_led_tolerances(const core::ConfigNode& node, int count) {
@@ -67,20 +84,36 @@ LedToleranceKeys read_led_tolerances(const core::ConfigNode& node, int count) {
   keys.seed = static_cast<std::uint64_t>(
       node.integer({"tolerance_seed", "draws other fluxes and places within the spreads", 0, 1LL << 62, 1}));
   keys.off = read_off(node, count);
+  const std::vector<double> none;
+  keys.factors = read_each(
+      node,
+      {"flux_factors", "factor on the flux of each LED, in order along the edge", Range::positive(100), 0, 10000, none},
+      count);
+  keys.offsets = read_each(
+      node,
+      {"offsets_mm", "shift of each LED along the edge, towards +x or +y", Range::closed(-100, 100), 0, 10000, none},
+      count);
+  keys.heights = read_each(
+      node,
+      {"height_offsets_mm", "shift of each LED across the edge, towards +z", Range::closed(-100, 100), 0, 10000, none},
+      count);
   return keys;
 }
 
 LedTolerances draw_tolerances(const LedToleranceKeys& keys, int count, double flux) {
   LedTolerances result;
-  const bool uneven = !keys.fluxes.empty() || keys.flux_spread > 0.0 || !keys.off.empty();
+  const bool uneven = !keys.fluxes.empty() || keys.flux_spread > 0.0 || !keys.off.empty() || !keys.factors.empty();
   for (int led = 0; led < count; ++led) {
     core::PhotonRng rng({keys.seed, kToleranceStream, 0}, static_cast<std::uint64_t>(led));
     const double brighter = 1.0 + keys.flux_spread * cut_normal(rng);
     const double mean = keys.fluxes.empty() ? flux : keys.fluxes[static_cast<std::size_t>(led)];
-    if (uneven) result.fluxes.push_back(mean * brighter);
+    const double factor = keys.factors.empty() ? 1.0 : keys.factors[static_cast<std::size_t>(led)];
+    if (uneven) result.fluxes.push_back(mean * brighter * factor);
     const double offset = keys.position_spread * cut_normal(rng);
     if (keys.position_spread > 0.0) result.offsets.push_back(offset);
   }
+  add_to(result.offsets, keys.offsets);
+  result.heights = keys.heights;
   for (const int led : keys.off) result.fluxes[static_cast<std::size_t>(led)] = 0.0;
   return result;
 }

@@ -113,6 +113,50 @@ TEST(LedTolerances, PlacesMoveAndStayApart) {
   }
 }
 
+TEST(LedTolerances, EachLedHasItsOwnFactorAndShift) {
+  const BacklightSpec even = row("flux_lm: 2, off: [2]");
+  const BacklightSpec own =
+      row("flux_lm: 2, off: [2], flux_factors: [1, 3, 0.5, 1, 2], offsets_mm: [0, 0.1, -0.2, 3, 3.5], "
+          "height_offsets_mm: [0, 0.1, -0.1, 0, 0.05]");
+  const Source& source = *own.sources.front();
+  EXPECT_NEAR(source.flux(), 2.0 * 4.5, 1e-12);
+  const auto a = even.sources.front()->windows(), b = source.windows();
+  const std::vector<double> along{0, 0.1, -0.2, 3, 3.5}, height{0, 0.1, -0.1, 0, 0.05};
+  for (std::size_t i = 0; i < 5; ++i) {
+    EXPECT_NEAR(b[i].min_along - a[i].min_along, along[i], 1e-12);
+    EXPECT_NEAR(b[i].max_z - a[i].max_z, height[i], 1e-12);
+  }
+  core::PhotonRng rng({1, 0, 0}, 0);
+  for (int i = 0; i < 1000; ++i) {
+    const Photon photon = source.emit(rng);
+    const SourceWindow& w = b[static_cast<std::size_t>(photon.quad)];
+    ASSERT_TRUE(photon.position.y() >= w.min_along && photon.position.y() <= w.max_along);
+    ASSERT_TRUE(photon.position.z() >= w.min_z && photon.position.z() <= w.max_z);
+  }
+  constexpr int kPhotons = 50000;
+  const auto counts = counts_of(source, kPhotons);
+  EXPECT_EQ(counts[1], 0.0);
+  const std::vector<double> lit{counts[0], counts[2], counts[3], counts[4]};
+  const double unit = kPhotons / 4.5;
+  EXPECT_GT(chi_square_test(lit, std::vector<double>{unit, 0.5 * unit, unit, 2.0 * unit}).p_value, 1e-3);
+}
+
+TEST(LedTolerances, FaultsOfFactorsAndShifts) {
+  EXPECT_THAT(fault("flux_factors: [1, 2]"),
+              HasSubstr("flux_factors: must hold a number for each of the 5 LEDs, got 2"));
+  EXPECT_THAT(fault("flux_factors: [1, 1, 0, 1, 1]"), HasSubstr("flux_factors[2]"));
+  // 5 mm from LED to LED of 2 mm; 4 mm beside the outermost; 0.1 mm above and below.
+  EXPECT_EQ(fault("offsets_mm: [-4, -4, -4, -4, -4]"), "none");
+  EXPECT_THAT(
+      fault("offsets_mm: [-4.1, 0, 0, 0, 0]"),
+      HasSubstr("offsets_mm: must leave the LEDs beside each other on the edge, got a shift that is 0.1 mm too far"));
+  EXPECT_THAT(fault("offsets_mm: [0, 0, 1.6, -1.6, 0]"), HasSubstr("0.2 mm too far"));
+  EXPECT_THAT(fault("offsets_mm: [0, 0, 1.4, -1.4, 0], position_spread_mm: 0.1"), HasSubstr("offsets_mm"));
+  EXPECT_THAT(
+      fault("height_offsets_mm: [0, 0.11, 0, 0, 0]"),
+      HasSubstr("height_offsets_mm: must keep the LED within the plate's thickness (at most 0.1 mm), got 0.11 mm"));
+}
+
 TEST(LedTolerances, Faults) {
   EXPECT_THAT(fault("fluxes_lm: [1, 2]"), HasSubstr("fluxes_lm: must hold a flux for each of the 5 LEDs, got 2"));
   EXPECT_THAT(fault("fluxes_lm: [1, 2, 3, 4, -5]"), HasSubstr("fluxes_lm[4]"));

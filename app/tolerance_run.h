@@ -1,0 +1,23 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "app/run_context.h"
+#include "app/tolerance_job.h"
+#include "design/tolerance/tolerance_summary.h"
+
+namespace evenglow::app {
+
+/// Traces the nominal design and all samples, one after another, going on from the state at `context.checkpoint` if
+/// `--resume` is given; keeps the state there. Empty: interrupted, all whole samples are in the state. Throws
+/// ConfigError for a state of another run, Error for a dark display.
+std::optional<design::ToleranceSamples> run_tolerance(const ToleranceJob& job, const RunContext& context);
+
+/// The state of a tolerance run as one line of JSON, and back. `identity`: of the run that it belongs to;
+/// `read_tolerance_state` throws core::Error if it is of another one or does not fit the cells.
+std::string tolerance_state(const std::string& identity, const design::ToleranceSamples& run);
+design::ToleranceSamples read_tolerance_state(const std::string& object, const std::string& identity,
+                                              const core::CellGrid& cells);
+
+}  // namespace evenglow::app
