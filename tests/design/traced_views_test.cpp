@@ -63,7 +63,7 @@ TEST(TracedViews, AreThoseOfTracesOfTheirOwnByNextEvent) {
   expect_those_of_single_traces("next_event");
 }
 
-TEST(TracedViews, AreThoseOfTracesOfTheirOwnByCounting) {
+TEST(TracedViewsLong, AreThoseOfTracesOfTheirOwnByCounting) {
   expect_those_of_single_traces("counting");
 }
 
