@@ -97,7 +97,7 @@ std::vector<std::string> ConfigNode::choices(const ChoiceKey& declaration) const
   remembered.options = declaration.options;
   remembered.max_count = declaration.options.size();
   const ConfigValue* found = impl_->take(std::move(remembered));
-  const auto fallback = split_at_commas(declaration.fallback.value_or(""));
+  auto fallback = split_at_commas(declaration.fallback.value_or(""));
   if (found == nullptr && !declaration.fallback) impl_->miss(declaration.key, declaration.help);
   if (found == nullptr) return fallback;
   const std::string path = key_path(impl_->path, declaration.key);
