@@ -46,8 +46,8 @@ struct Task {
     spec.density_min = 0.001;
     spec.density_max = 0.4;
     dots.mode = DotMode::both;
-    dots.diameter_min = 0.02;
-    dots.diameter_max = 0.06;
+    dots.diameter_min = 0.04;
+    dots.diameter_max = 0.1;
   }
   tracer::DensityField designed() const {
     const DesignLimits limits{200000, kPhotons};
