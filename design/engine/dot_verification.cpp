@@ -4,6 +4,7 @@
 #include <cmath>
 #include <memory>
 #include <utility>
+#include <vector>
 
 #include <fmt/core.h>
 
@@ -135,15 +136,44 @@ class Verifier {
     return {};
   }
 
+  /// Takes the trial to the others: its luminance over target, and the density that gave it.
+  void remember(const Trial& trial) {
+    Observation seen = trial.observation;
+    Target(job_.spec, seen.map.luminance.grid).flatten(seen);
+    core::CellField placed = trial.density.cells;
+    for (std::size_t i = 0; i < placed.values.size(); ++i) placed.values[i] *= std::exp(trial.rounding.values[i]);
+    core::CellField on_display = regrid(placed, seen.map.luminance.grid);
+    seen_.push_back({std::move(seen), std::move(on_display), std::move(placed)});
+  }
+
+  /// All traces so far as one of the last density: a cell's luminance follows its own density, near enough for the
+  /// small steps between the rounds. So the noise falls from round to round.
+  Observation all_traces() const {
+    const Seen& last = seen_.back();
+    Observation all = last.observation;
+    all.luminance = core::Tally(last.on_display.values.size());
+    const double share = 1.0 / static_cast<double>(seen_.size());
+    std::vector<double> total(last.on_display.values.size(), 0.0);
+    for (const Seen& one : seen_) {
+      for (std::size_t b = 0; b < one.observation.luminance.batches(); ++b) {
+        std::vector<double> batch = one.observation.luminance.batch(b);
+        for (std::size_t i = 0; i < batch.size(); ++i) {
+          batch[i] *= share * last.on_display.values[i] / std::max(one.on_display.values[i], kLeast);
+          total[i] += batch[i];
+        }
+        all.luminance.add_batch(std::move(batch));
+      }
+    }
+    for (std::size_t i = 0; i < total.size(); ++i) all.map.luminance.values[i] = total[i] * all.luminance_unit;
+    return all;
+  }
+
   /// The next density. What is smooth is the light that a unit of placed density sends out.
-  tracer::DensityField corrected(Trial trial) const {
-    const core::CellGrid display = trial.observation.map.luminance.grid;
-    Target(job_.spec, display).flatten(trial.observation);
-    DesignState placed{trial.density, std::move(trial.observation)};
-    for (std::size_t i = 0; i < placed.density.cells.values.size(); ++i)
-      placed.density.cells.values[i] *= std::exp(trial.rounding.values[i]);
+  tracer::DensityField corrected(Trial trial) {
+    remember(trial);
+    DesignState placed{{seen_.back().placed}, all_traces()};
     core::CellField excess = noise_aware_excess(placed).field;
-    const core::CellField rounding = regrid(trial.rounding, display);
+    const core::CellField rounding = regrid(trial.rounding, excess.grid);
     for (std::size_t i = 0; i < excess.values.size(); ++i) excess.values[i] -= rounding.values[i];
     const double mean = excess.mean();
     for (double& value : excess.values) value -= mean;
@@ -151,9 +181,17 @@ class Verifier {
     return take_step(placed, job_.spec, ratio_step(placed, job_.spec, excess)).density;
   }
 
+  /// What a round has shown, over target.
+  struct Seen {
+    Observation observation;
+    core::CellField on_display;  ///< density placed, on the cells of the display
+    core::CellField placed;
+  };
+
   const DotVerification& job_;
   core::Estimate model_luminance_;
   const VerificationHooks& hooks_;
+  std::vector<Seen> seen_;
 };
 
 }  // namespace

@@ -63,7 +63,8 @@ TEST_F(DotsFile, FaultsAreOneLineWithTheirPlace) {
               testing::AllOf(HasSubstr("dots must lie on the face, x 0 to 20 and y 0 to 10 mm, got dot 2 of 2000 um"),
                              HasSubstr("(19.5, 5) mm"), HasSubstr("dots.csv")));
   EXPECT_EQ(fault(backlight(one, ", density: 0.3")), "accepted");  // of the run file that designed it
-  EXPECT_THAT(fault(backlight(one, ", density_file: x.csv")), HasSubstr("density_file: must be left out"));
+  EXPECT_THAT(fault(backlight(one, ", density_file: \"" + (folder_ / "dots.csv").string() + "\"")),
+              HasSubstr("density_file: must be left out"));
   EXPECT_THAT(fault(backlight(one, ", kind: v_groove")), HasSubstr("which has no ends"));
   EXPECT_THAT(fault(backlight(one, ", kind: cone, footprint: square")), HasSubstr("footprint: must be round for"));
   EXPECT_THAT(fault(backlight(one + "5.5,5,200\n", ", kind: cone")),
