@@ -131,7 +131,7 @@ std::string worst_samples(const ToleranceOutcome& o) {
 }
 
 std::string maps(const ToleranceOutcome& o, design::PageData& data) {
-  const design::SpreadMaps maps = o.run.maps.maps(o.spec().common_numbers);
+  const design::SpreadMaps maps = o.run.maps.maps(o.spec().common_numbers, kMapSmoothing);
   core::CellField level = maps.deviation, shape = maps.shape;
   for (std::size_t i = 0; i < level.values.size(); ++i) {
     level.values[i] = maps.mean.values[i] > 0.0 ? 100.0 * level.values[i] / maps.mean.values[i] : 0.0;

@@ -103,7 +103,7 @@ void write_tolerance(const ToleranceOutcome& o, const std::filesystem::path& dir
   design::write_file(directory / "tolerance.json", tolerance_json(o));
   design::write_file(directory / "tolerance.html", tolerance_html(o));
   design::write_study_png(tolerance_study(o), directory / "tolerance.png");
-  const design::SpreadMaps maps = o.run.maps.maps(o.spec().common_numbers);
+  const design::SpreadMaps maps = o.run.maps.maps(o.spec().common_numbers, kMapSmoothing);
   design::write_file(directory / "luminance_mean.csv",
                      design::matrix_csv(maps.mean, "mean luminance of the samples (cd/m2)"));
   design::write_file(

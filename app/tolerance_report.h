@@ -9,6 +9,9 @@
 
 namespace evenglow::app {
 
+/// Cells over which the variances of the maps are smoothed.
+inline constexpr double kMapSmoothing = 2.0;
+
 /// All that the reports of a tolerance run are made of.
 struct ToleranceOutcome {
   const ToleranceJob& job;

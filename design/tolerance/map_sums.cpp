@@ -8,10 +8,15 @@
 namespace evenglow::design {
 namespace {
 
-/// Standard deviation from the sums of n values, of their squares and of their squared errors.
-double deviation(double sum, double squares, double noise, double n) {
-  const double variance = (squares - sum * sum / n) / (n - 1.0) - noise / n;
-  return std::sqrt(std::max(0.0, variance));
+/// Variance from the sums of n values, of their squares and of their squared errors; may be negative.
+double variance_of(double sum, double squares, double noise, double n) {
+  return (squares - sum * sum / n) / (n - 1.0) - noise / n;
+}
+
+core::CellField deviation(const core::CellField& variance, double smoothing) {
+  core::CellField field = core::smooth_gaussian(variance, smoothing);
+  for (double& value : field.values) value = std::sqrt(std::max(0.0, value));
+  return field;
 }
 
 }  // namespace
@@ -38,16 +43,18 @@ void MapSums::add(const tracer::LuminanceMap& map) {
   ++count_;
 }
 
-SpreadMaps MapSums::maps(bool common) const {
+SpreadMaps MapSums::maps(bool common, double smoothing) const {
   core::expects(count_ >= 2, "a spread needs two samples");
   const auto n = static_cast<double>(count_);
   SpreadMaps maps{core::CellField(grid_, 0.0), core::CellField(grid_, 0.0), core::CellField(grid_, 0.0)};
   for (std::size_t i = 0; i < grid_.size(); ++i) {
     const double* s = &sums_[kSums * i];
     maps.mean.values[i] = s[0] / n;
-    maps.deviation.values[i] = deviation(s[0], s[1], common ? 0.0 : s[2], n);
-    maps.shape.values[i] = deviation(s[3], s[4], common ? 0.0 : s[5], n);
+    maps.deviation.values[i] = variance_of(s[0], s[1], common ? 0.0 : s[2], n);
+    maps.shape.values[i] = variance_of(s[3], s[4], common ? 0.0 : s[5], n);
   }
+  maps.deviation = deviation(maps.deviation, smoothing);
+  maps.shape = deviation(maps.shape, smoothing);
   return maps;
 }
 

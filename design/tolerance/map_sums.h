@@ -22,8 +22,9 @@ class MapSums {
   /// `map`: luminance with standard errors of a sample, always of the same cells.
   void add(const tracer::LuminanceMap& map);
   std::uint64_t count() const { return count_; }
-  /// With at least 2 samples. `common`: their noise is common, nothing is taken off.
-  SpreadMaps maps(bool common) const;
+  /// With at least 2 samples. `common`: their noise is common, nothing is taken off. `smoothing`: the variances are
+  /// smoothed by a Gaussian of so many cells before their root is taken, as those of single cells are mostly chance.
+  SpreadMaps maps(bool common, double smoothing = 0.0) const;
 
   /// All sums one after another, for a checkpoint, and back (none taken if their number does not fit the cells).
   std::vector<double> numbers() const;

@@ -27,6 +27,8 @@ TEST(MapSums, TakeTheNoiseOffEachCell) {
   EXPECT_NEAR(maps.mean.values[0], 100.0, 0.25);
   EXPECT_NEAR(maps.deviation.values[0], 5.0, 0.2);
   EXPECT_LT(maps.deviation.values[1], 0.8);
+  // Smoothed far beyond the two cells, both have the mean variance.
+  EXPECT_NEAR(sums.maps(false, 50.0).deviation.values[1], 5.0 / std::sqrt(2.0), 0.2);
   EXPECT_NEAR(sums.maps(true).deviation.values[1], 3.0, 0.1) << "noise in common stays";
   // Of v / ((v + w) / 2) for v = 100, w = 50: 5 * 2 w / (v + w)^2.
   EXPECT_NEAR(maps.shape.values[0], 5.0 * 100.0 / 22500.0, 0.002);
