@@ -29,8 +29,11 @@ TEST(Yield, BoundsAreKeptAtTheBoundItself) {
 
 TEST(Yield, SamplesNearALimitBoundWhatNoiseMayDo) {
   // Sure, near above, near below, surely not; without noise the near ones have both passed.
-  const LimitedFigure one{
-      {"uniformity_9", 0.8, {}}, {{0.9, 0.01}, {0.81, 0.01}, {0.79, 0.01}, {0.7, 0.01}}, {0.9, 0.81, 0.805, 0.7}};
+  LimitedFigure one;
+  one.limit.figure = "uniformity_9";
+  one.limit.min = 0.8;
+  one.seen = {{0.9, 0.01}, {0.81, 0.01}, {0.79, 0.01}, {0.7, 0.01}};
+  one.corrected = {0.9, 0.81, 0.805, 0.7};
   const Yield y = yield_of({one});
   EXPECT_EQ(y.passed, 2);
   EXPECT_EQ(y.seen.value, 0.5);
@@ -41,9 +44,16 @@ TEST(Yield, SamplesNearALimitBoundWhatNoiseMayDo) {
 }
 
 TEST(Yield, AllLimitsMustBeKept) {
-  const LimitedFigure a{{"efficiency", 0.5, {}}, {{0.6, 0.001}, {0.6, 0.001}, {0.4, 0.001}}, {0.6, 0.6, 0.4}};
-  const LimitedFigure b{
-      {"rms_corrected", {}, 0.05}, {{0.01, 0.001}, {0.09, 0.001}, {0.0495, 0.001}}, {0.01, 0.09, 0.0495}};
+  LimitedFigure a;
+  a.limit.figure = "efficiency";
+  a.limit.min = 0.5;
+  a.seen = {{0.6, 0.001}, {0.6, 0.001}, {0.4, 0.001}};
+  a.corrected = {0.6, 0.6, 0.4};
+  LimitedFigure b;
+  b.limit.figure = "rms_corrected";
+  b.limit.max = 0.05;
+  b.seen = {{0.01, 0.001}, {0.09, 0.001}, {0.0495, 0.001}};
+  b.corrected = {0.01, 0.09, 0.0495};
   const Yield y = yield_of({a, b});
   EXPECT_EQ(y.passed, 1);
   EXPECT_EQ(y.near_limit, 0) << "what surely fails one limit is not near another";
