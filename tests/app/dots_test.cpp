@@ -20,7 +20,8 @@ class DotsCommand : public ::testing::Test {
     return evenglow(words, folder_.path());
   }
   void design() const {
-    const auto result = evenglow({"design", "run.yaml", "-o", "d", "--quiet"}, folder_.path());
+    const auto result =
+        evenglow({"design", "run.yaml", "-o", "d", "--quiet", "--set", "design.level=0.1"}, folder_.path());
     ASSERT_EQ(result.code, 0) << result.err;
   }
   TempFolder folder_;

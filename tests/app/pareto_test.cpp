@@ -88,7 +88,7 @@ class FirstStep : public Studies {
  protected:
   double of(const std::string& out, const std::vector<std::string>& more) const {
     std::vector<std::string> words = {"design", "tiny.yaml", "-o", out, "--photons", "2e5"};
-    for (const std::string change : {"design.first_photons=2e5", "design.level=0.05", "design.max_steps=2",
+    for (const std::string change : {"design.first_photons=2e5", "design.level=0.2", "design.max_steps=2",
                                      "backlight.light_guide_plate.length_mm=100"}) {
       words.insert(words.end(), {"--set", change});
     }

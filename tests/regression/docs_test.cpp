@@ -89,7 +89,7 @@ TEST_F(DocsCheck, SeesATextThatIsNotPrinted) {
   EXPECT_EQ(of(block + text).code, 0) << "other numbers are none of its business";
   const ProgramResult full = of(block + text, {"--full"});
   EXPECT_EQ(full.code, 1);
-  EXPECT_NE(full.err.find("page.md:7: the program does not print `at 7 +- 1e-3 cm, 0.1 s`"), std::string::npos)
+  EXPECT_NE(full.err.find("page.md:6: the program does not print `at 7 +- 1e-3 cm, 0.1 s`"), std::string::npos)
       << full.err;
   EXPECT_EQ(of(block + "```text\nat 2.5 +- 0.1 cm, 9 s\n```\n", {"--full"}).code, 0) << "times are not compared";
   EXPECT_EQ(of(block + "```text\nat 7 cm, 0.1 s\n```\n").code, 1);

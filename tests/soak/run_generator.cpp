@@ -17,9 +17,10 @@ using core::DeclaredKey;
 constexpr double kOptionalShare = 0.22;
 constexpr int kDeepest = 5;
 
-/// Not of the backlight, or of the machine's files.
-constexpr std::array kLeftOut = {"include",  "variants", "sweep", "evenglow", "title",     "design",
-                                 "optimize", "optimise", "dots",  "output",   "optimizer", "trace"};
+/// Not of the backlight, of the machine's files, or lists as long as a row has LEDs.
+constexpr std::array kLeftOut = {"include",   "variants",     "sweep",      "evenglow",         "title",     "design",
+                                 "optimize",  "optimise",     "dots",       "output",           "optimizer", "trace",
+                                 "dots_file", "flux_factors", "offsets_mm", "height_offsets_mm"};
 /// What makes a trace long or a memory full, without being another case: kept few.
 constexpr std::array kFew = {"cells", "count", "wavelengths", "polar_count", "azimuth_count", "segments"};
 /// Kinds that need a file.
