@@ -26,7 +26,9 @@ using design::Report;
 std::optional<design::DesignProgress> load_state(const Run& run, const RunContext& context) {
   try {
     std::string note;
-    auto state = design::load_checkpoint(context.checkpoint, run_identity(run, context.stream), &note);
+    const design::StateBounds bounds = state_bounds(run);
+    auto state =
+        design::load_checkpoint(context.checkpoint, run_identity(run, context.work, context.stream), &note, &bounds);
     if (!note.empty()) context.progress.line(label(run, note));
     return state;
   } catch (const core::Error& error) {
@@ -75,12 +77,13 @@ std::optional<Report> run_design_job(Run run, const RunContext& context) {
   const auto proof = run.design.verify_dots ? std::make_optional<DotProof>(run, context) : std::nullopt;
   const design::DesignLimits limits = design_limits(run);
   design::DesignProgress progress = begin_design(run, limits, context);
-  const std::string identity = run_identity(run, context.stream);
+  const std::string identity = run_identity(run, context.work, context.stream);
   const tracer::Scene scene = tracer::compile_scene(std::move(run.backlight));
   const design::ForwardModel model = make_model(scene, run, context);
   const auto observer = [&](const design::StepRecord& record, const design::DesignProgress& state) {
     context.progress.step(run.variant, record);
     check_light(record, run.variant);
+    context.check_lock();
     if (!context.checkpoint.empty()) save_checkpoint(context.checkpoint, identity, state);
     context.progress.begin(label(run, fmt::format("step {}", record.step + 1)));
   };

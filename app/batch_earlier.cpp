@@ -6,6 +6,7 @@
 #include "core/base/error.h"
 #include "core/config/message_text.h"
 #include "core/config/text_file.h"
+#include "design/engine/state_file.h"
 
 namespace evenglow::app {
 namespace {
@@ -13,7 +14,7 @@ namespace {
 using design::BatchRow;
 using design::BatchTable;
 
-constexpr std::size_t kMaxSummaryBytes = 256u << 20u;
+constexpr std::size_t kMaxSummaryBytes = std::size_t{32} << 20;
 
 /// Traces do not go on as designs, nor designs as traces.
 void check_same_purpose(const BatchTable& earlier, const std::filesystem::path& file, const Options& options) {
@@ -33,7 +34,7 @@ BatchTable earlier_batch(const std::filesystem::path& directory, const Options& 
   std::error_code ignored;
   if (!std::filesystem::exists(file, ignored)) return {};
   try {
-    BatchTable earlier = design::read_batch_json(core::read_text_file(file, kMaxSummaryBytes));
+    BatchTable earlier = design::read_batch_json(design::unsealed_state(core::read_text_file(file, kMaxSummaryBytes)));
     if (options.resume) check_same_purpose(earlier, file, options);
     return earlier;
   } catch (const core::Error& error) {

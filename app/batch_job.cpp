@@ -8,10 +8,13 @@
 #include "app/batch_earlier.h"
 #include "app/output_directory.h"
 #include "app/repeating_command.h"
+#include "core/base/error.h"
 #include "core/base/version.h"
 #include "core/config/message_text.h"
+#include "core/parallel/ranks.h"
 #include "design/engine/state_file.h"
 #include "design/report/number_format.h"
+#include "design/report/output_file.h"
 #include "design/report/writer_registry.h"
 
 namespace evenglow::app {
@@ -19,6 +22,8 @@ namespace {
 
 using design::BatchRow;
 using design::BatchStatus;
+
+constexpr const char* kThumbnail = "thumbnail.png";  // the last that a run writes
 
 BatchRow waiting_row(const PlannedRun& run) {
   BatchRow row;
@@ -40,13 +45,15 @@ std::string in_words(const BatchRow& row) {
 
 }  // namespace
 
-BatchJob::BatchJob(const Session& session, std::vector<PlannedRun> plan, std::filesystem::path directory)
+BatchJob::BatchJob(const Session& session, std::vector<PlannedRun> plan, std::filesystem::path directory,
+                   const OutputLock& lock)
     : session_(session),
       plan_(std::move(plan)),
       directory_(std::move(directory)),
+      lock_(lock),
       earlier_(earlier_batch(directory_, session.options)),
       progress_(session.options.quiet, session.options.json_progress) {
-  table_.title = session.options.files.size() == 1 ? session.options.files.front().stem().string() : "Batch";
+  table_.title = session.options.files.size() == 1 ? run_name(session.options.files.front()) : "Batch";
   table_.version = core::version();
   table_.command = session.program_arguments + (session.options.simulate ? kSimulateOption : "");
   table_.left_over = left_over(earlier_, plan_, directory_);
@@ -74,7 +81,8 @@ int BatchJob::run() {
 
 /// After every run: `--resume` knows from it what is done.
 void BatchJob::save() const {
-  design::write_batch_json(table_, directory_);
+  lock_.check();
+  design::write_file(directory_ / kBatchSummary, design::sealed_state(design::batch_json(table_)));
 }
 
 /// They hold all rows, with their pictures: written after every run they would cost the square of their number.
@@ -92,7 +100,11 @@ bool BatchJob::run_one(std::size_t i) {
   progress_.prefix(overall(i));
   try {
     Run run = read_point(planned.file, planned.point, session_.options, purpose());
-    row.identity = identity(run);
+    row.identity = batch_identity(run, purpose());
+    if (row.identity != planned.identity) {
+      throw core::Error(
+          "the run file or a file that it names has changed since the batch began (--resume makes the run)");
+    }
     return trace(std::move(run), row);
   } catch (const std::exception& error) {
     row.status = BatchStatus::kFailed;
@@ -103,19 +115,19 @@ bool BatchJob::run_one(std::size_t i) {
 }
 
 bool BatchJob::trace(Run run, BatchRow& row) {
-  const auto place = directory_ / row.name;
-  make_directory(place);
+  const auto place = make_subdirectory(directory_, row.name, disk_bytes(run));
   const OutputLock lock(place);
   const auto formats = run.output;
   run.variant = row.name;
-  const RunContext context{session_.options, progress_, session_.stop, single_command(row), 0, place / kCheckpointName};
+  const RunContext context{session_.options,        progress_, session_.stop, single_command(row), 0,
+                           place / kCheckpointName, &lock};
   const auto report =
       session_.options.simulate ? run_simulation(std::move(run), context) : run_design_job(std::move(run), context);
   if (!report) return false;
-  write_results(place, [&] {
+  write_results(place, lock, [&] {
     clear_results(place);
     design::write_report(*report, formats, place);
-    design::write_thumbnail(report->luminance, place / "thumbnail.png");
+    design::write_thumbnail(report->luminance, place / kThumbnail);
   });
   design::remove_state(context.checkpoint);
   row.status = BatchStatus::kDone;
@@ -127,37 +139,56 @@ bool BatchJob::trace(Run run, BatchRow& row) {
   return true;
 }
 
-std::string BatchJob::identity(const Run& run) const {
-  return run_identity(run, 0) + (session_.options.simulate ? "-simulate" : "-design");
-}
-
 /// Before the first save: else a batch that is killed as it goes on has forgotten what was done.
 void BatchJob::take_earlier_rows() {
   if (!session_.options.resume) return;
   for (std::size_t i = 0; i < plan_.size(); ++i) {
     BatchRow& row = table_.rows[i];
     if (row.status == BatchStatus::kWrongInput) continue;
+    row.identity = plan_[i].identity;
     try {
-      row.identity = identity(read_point(plan_[i].file, plan_[i].point, session_.options, purpose()));
+      const Run run = read_point(plan_[i].file, plan_[i].point, session_.options, purpose());
+      progress_.prefix(overall(i));
+      if (take_earlier(row, run)) progress_.line(row.name + ": done before");
     } catch (const std::exception&) {
       continue;  // it is told when its turn comes
     }
-    progress_.prefix(overall(i));
-    if (take_earlier(row)) progress_.line(row.name + ": done before");
   }
+  agree_on_rows();
 }
 
-/// A run that is done, with the same description, is not made again.
-bool BatchJob::take_earlier(BatchRow& row) const {
+/// A run that is done, with the same description, is not made again. A helper among several ranks has no results: rank
+/// 0 tells it which are there.
+bool BatchJob::take_earlier(BatchRow& row, const Run& run) const {
   const auto found = std::find_if(earlier_.rows.begin(), earlier_.rows.end(),
                                   [&](const BatchRow& earlier) { return earlier.name == row.name; });
+  if (found == earlier_.rows.end() || found->status != BatchStatus::kDone || found->identity != row.identity) {
+    return false;
+  }
+  const bool json = std::find(run.output.begin(), run.output.end(), "json") != run.output.end();
   std::error_code ignored;
-  if (found == earlier_.rows.end() || found->status != BatchStatus::kDone || found->identity != row.identity ||
-      !std::filesystem::exists(directory_ / row.name, ignored)) {
+  if (!session_.options.helper &&
+      !std::filesystem::is_regular_file(directory_ / row.name / (json ? "result.json" : kThumbnail), ignored)) {
     return false;
   }
   row = *found;
   return true;
+}
+
+/// What rank 0 makes anew, all make anew.
+void BatchJob::agree_on_rows() {
+  core::RankGroup* ranks = session_.options.ranks;
+  if (ranks == nullptr) return;
+  std::string done;
+  for (const BatchRow& row : table_.rows) done += row.status == BatchStatus::kDone ? '1' : '0';
+  const std::string first = ranks->texts(done, session_.stop).front();
+  core::expects(first.size() == done.size(), "all ranks have one plan");
+  for (std::size_t i = 0; i < done.size(); ++i) {
+    if (done[i] == first[i]) continue;
+    core::expects(done[i] == '1', "a helper knows all that is done");
+    table_.rows[i] = waiting_row(plan_[i]);
+    table_.rows[i].identity = plan_[i].identity;
+  }
 }
 
 std::string BatchJob::single_command(const BatchRow& row) const {

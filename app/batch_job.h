@@ -17,7 +17,8 @@ namespace evenglow::app {
 class BatchJob {
  public:
   /// Error if `directory` holds a batch to go on with whose summary cannot be read.
-  BatchJob(const Session& session, std::vector<PlannedRun> plan, std::filesystem::path directory);
+  BatchJob(const Session& session, std::vector<PlannedRun> plan, std::filesystem::path directory,
+           const OutputLock& lock);
 
   /// The exit code. The summary is saved after every run, so that `--resume` knows from it what is done.
   int run();
@@ -26,13 +27,13 @@ class BatchJob {
   using Clock = std::chrono::steady_clock;
 
   void take_earlier_rows();
-  bool take_earlier(design::BatchRow& row) const;
+  bool take_earlier(design::BatchRow& row, const Run& run) const;
+  void agree_on_rows();
   bool run_one(std::size_t i);
   bool trace(Run run, design::BatchRow& row);
   void save() const;
   void save_pages();
   int verdict() const;
-  std::string identity(const Run& run) const;
   std::string single_command(const design::BatchRow& row) const;
   std::string overall(std::size_t i) const;
   Purpose purpose() const;
@@ -40,6 +41,7 @@ class BatchJob {
   const Session& session_;
   std::vector<PlannedRun> plan_;
   std::filesystem::path directory_;
+  const OutputLock& lock_;
   design::BatchTable earlier_;
   design::BatchTable table_;
   Progress progress_;

@@ -6,6 +6,7 @@
 #include <fmt/core.h>
 
 #include "app/output_directory.h"
+#include "app/run_context.h"
 
 namespace evenglow::app {
 namespace {
@@ -20,7 +21,7 @@ std::vector<RunPoint> points_of(const std::filesystem::path& file, std::vector<c
 }
 
 std::string folder_name(const std::filesystem::path& file, const RunPoint& point, bool several_files) {
-  std::string stem = file.stem().string();
+  std::string stem = run_name(file);
   if (point.name.empty()) return stem;
   return several_files ? stem + "_" + point.name : point.name;
 }
@@ -33,13 +34,17 @@ std::string free_name(const std::string& wish, std::set<std::string>& taken) {
 
 void judge(PlannedRun& run, const Options& options, Purpose purpose) {
   try {
-    read_point(run.file, run.point, options, purpose);
+    run.identity = batch_identity(read_point(run.file, run.point, options, purpose), purpose);
   } catch (const core::ConfigError& error) {
     run.faults = error.faults();
   }
 }
 
 }  // namespace
+
+std::string batch_identity(const Run& run, Purpose purpose) {
+  return run_identity(run, purpose == Purpose::kTrace ? "batch --simulate" : "batch");
+}
 
 std::vector<PlannedRun> plan_batch(const Options& options, Purpose purpose) {
   option_overrides(options);  // a wrong --set is no fault of one run

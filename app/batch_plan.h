@@ -15,7 +15,11 @@ struct PlannedRun {
   std::filesystem::path file;
   RunPoint point;
   std::vector<core::Fault> faults;  ///< not empty: it cannot run
+  std::string identity{};           ///< of all that it was planned from (run_identity); empty: it cannot run
 };
+
+/// That of a run in a batch, of designs or of single traces.
+std::string batch_identity(const Run& run, Purpose purpose);
 
 /// All runs of the files: each variant at each point of the sweep. A file that cannot be read is one run with its
 /// faults. Every run has been read once, so that all faults are known before a photon is traced.

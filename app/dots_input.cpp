@@ -9,6 +9,7 @@
 #include "core/base/error.h"
 #include "core/base/sha256.h"
 #include "core/base/units.h"
+#include "core/config/json_depth.h"
 #include "core/config/message_text.h"
 #include "core/config/text_file.h"
 #include "tracer/films/bef.h"
@@ -20,7 +21,7 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-constexpr std::size_t kMaxResult = std::size_t{64} << 20;
+constexpr std::size_t kMaxResult = std::size_t{16} << 20;
 
 [[noreturn]] void refuse(const fs::path& path, const std::string& message) {
   throw core::ConfigError(core::Fault{core::one_line(path.string()), 0, 0, "", message});
@@ -37,7 +38,13 @@ Origin read_origin(const fs::path& directory) {
   const fs::path file = directory / "result.json";
   if (!fs::exists(file, ignored) && fs::exists(directory / "compare.json", ignored))
     refuse(directory, "must be the directory of one design, got a comparison (name the folder of a variant in it)");
-  const Json result = Json::parse(core::read_text_file(file, kMaxResult), nullptr, false);
+  const std::string content = core::read_text_file(file, kMaxResult);
+  try {
+    core::require_shallow_json(content);
+  } catch (const core::Error& error) {
+    refuse(file, std::string("must be the result of a design, but ") + error.what());
+  }
+  const Json result = Json::parse(content, nullptr, false);
   const auto text = [&](const char* key) {
     const auto found = result.is_object() ? result.find(key) : result.end();
     if (found == result.end() || !found->is_string())

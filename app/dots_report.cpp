@@ -9,6 +9,7 @@
 
 #include "core/base/units.h"
 #include "core/base/version.h"
+#include "core/config/message_text.h"
 
 namespace evenglow::app {
 namespace {
@@ -147,7 +148,7 @@ std::string dots_json(const DotsReport& report) {
 std::string dots_table(const DotsReport& report) {
   const auto& quality = report.quality;
   const Sizes sizes = sizes_of(report.placement.dots);
-  std::string text = report.input.title.empty() ? report.source + "\n" : report.input.title + "\n";
+  std::string text = core::one_line(report.input.title.empty() ? report.source : report.input.title) + "\n";
   const auto line = [&](const char* name, const std::string& value) {
     text += fmt::format("  {:<21}{}\n", name, value);
   };

@@ -37,16 +37,19 @@ std::string point_note(const design::FrontPoint& point) {
 
 }  // namespace
 
-design::FrontHooks front_hooks(const Run& run, const RunContext& context, const std::string& identity) {
+design::FrontHooks front_hooks(const Run& run, const RunContext& context) {
   design::FrontHooks hooks;
-  hooks.load = [&context, identity](int point) -> std::optional<design::DesignProgress> {
+  const std::string whole = run_identity(run, context.work, context.stream);
+  const auto identity = [whole](int point) { return fmt::format("{}, point {}", whole, point + 1); };
+  hooks.load = [&context, identity, bounds = state_bounds(run)](int point) -> std::optional<design::DesignProgress> {
     if (!context.options.resume) {
       design::remove_state(point_checkpoint(context.checkpoint, point));
       return std::nullopt;
     }
     try {
       std::string note;
-      auto state = design::load_checkpoint(point_checkpoint(context.checkpoint, point), identity, &note);
+      auto state =
+          design::load_checkpoint(point_checkpoint(context.checkpoint, point), identity(point), &note, &bounds);
       if (!note.empty()) context.progress.line(fmt::format("point {}: {}", point + 1, note));
       return state;
     } catch (const core::Error& error) {
@@ -58,7 +61,8 @@ design::FrontHooks front_hooks(const Run& run, const RunContext& context, const 
                                                               const design::DesignProgress& state) {
     context.progress.step(variant, record);
     check_light(record, variant);
-    save_checkpoint(point_checkpoint(context.checkpoint, point), identity, state);
+    context.check_lock();
+    save_checkpoint(point_checkpoint(context.checkpoint, point), identity(point), state);
     context.progress.begin(fmt::format("point {}, step {}", point + 1, record.step + 1));
   };
   hooks.finished = [&context](int point, const design::FrontPoint& result) {
@@ -85,15 +89,14 @@ void remove_point_checkpoints(const std::filesystem::path& first) {
 std::optional<Report> run_efficiency_job(Run run, const RunContext& context) {
   const Stopwatch watch;
   Report report = describe_run(run, context);
-  const std::string identity = run_identity(run, context.stream);
   design::DesignSpec spec = run.design;
   spec.stop_rms = spec.goal.rms;
   const tracer::DensityField start = design::first_density(run.backlight, spec);
   const design::DesignLimits limits = design_limits(run);
+  design::FrontHooks hooks = front_hooks(run, context);
   const tracer::Scene scene = tracer::compile_scene(std::move(run.backlight));
   const design::ForwardModel model = make_model(scene, run, context);
   SearchLog log;
-  design::FrontHooks hooks = front_hooks(run, context, identity);
   hooks.stepped = [&log, told = hooks.stepped](int point, const design::StepRecord& record,
                                                const design::DesignProgress& state) {
     told(point, record, state);

@@ -12,8 +12,8 @@
 namespace evenglow::app {
 
 /// For designs at several levels: progress, checkpoints of each point beside that of the context, `--resume`. Keeps a
-/// reference to the context.
-design::FrontHooks front_hooks(const Run& run, const RunContext& context, const std::string& identity);
+/// reference to the context. The state of a point is of that point alone, and of the context's command.
+design::FrontHooks front_hooks(const Run& run, const RunContext& context);
 
 /// `checkpoint.json` for point 0, `checkpoint_1.json` beside it for point 1, and so on.
 std::filesystem::path point_checkpoint(const std::filesystem::path& first, int point);

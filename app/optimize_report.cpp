@@ -8,6 +8,7 @@
 
 #include "core/base/error.h"
 #include "core/base/version.h"
+#include "core/config/json_depth.h"
 #include "design/engine/state_file.h"
 #include "design/engine/stop_rule.h"
 #include "design/report/number_format.h"
@@ -217,6 +218,7 @@ std::vector<OuterResult> read_optimize_state(const std::filesystem::path& file, 
   std::string found;
   const auto read = [&](const std::string& object) {
     results.clear();
+    core::require_shallow_json(object);
     const Json node = Json::parse(object);
     if (node.at("format").get<std::string>() != kStateFormat) throw core::Error("it is of another version");
     found = node.at("identity").get<std::string>();
@@ -224,7 +226,10 @@ std::vector<OuterResult> read_optimize_state(const std::filesystem::path& file, 
   };
   if (!design::load_state(file, read, note)) return {};
   if (found != identity)
-    throw core::Error(file.string() + ": the checkpoint is of another run (the run file or an option has changed)");
+    throw core::Error(
+        file.string() +
+        ": the checkpoint is of another run (another command or program, or the run file or an option has "
+        "changed)");
   return results;
 }
 

@@ -41,7 +41,7 @@ constexpr std::array<const char*, 51> kResultNames = {"result.json",         "co
                                                       "tolerance.png",       "luminance_mean.csv",
                                                       "luminance_spread.csv"};
 
-constexpr std::size_t kProvedBytes = std::size_t{2} << 20;  // more than the state of a fine design takes
+constexpr std::size_t kProvedBytes = std::size_t{2} << 20;  // of all that does not grow with the cells
 
 std::optional<std::string> first_result(const fs::path& directory) {
   std::error_code ignored;
@@ -84,8 +84,18 @@ void check_resumable(const std::vector<fs::path>& places) {
 
 }  // namespace
 
+std::string run_name(const fs::path& file) {
+  const std::string stem = file.stem().string();
+  return stem.find_first_not_of('.') == std::string::npos ? "run" : stem;
+}
+
 fs::path output_directory(const Options& options, const fs::path& file) {
-  return options.out.empty() ? fs::path("out") / file.stem() : options.out;
+  return options.out.empty() ? fs::path("out") / run_name(file) : options.out;
+}
+
+void check_is_no_link(const fs::path& place) {
+  std::error_code ignored;
+  if (fs::is_symlink(place, ignored)) refuse(place, "must be a directory, got a symbolic link, which leads elsewhere");
 }
 
 bool is_result_name(std::string_view name) {
@@ -101,32 +111,41 @@ void check_free(const fs::path& directory, const std::vector<std::string>& varia
     if (fs::exists(place, ignored) && !fs::is_directory(place, ignored))
       refuse(place, "must be a directory, got a file");
   }
+  for (std::size_t i = 1; i < places.size(); ++i) check_is_no_link(places[i]);
   if (options.resume) return options.overwrite ? void() : check_resumable(places);
   if (options.overwrite) return;
   for (const fs::path& place : places) check_is_free(place);
 }
 
-void make_directory(const fs::path& directory) {
+void make_directory(const fs::path& directory, std::size_t bytes) {
   const auto fail = [&](const std::string& reason) {
     throw core::Error("cannot write to " + core::one_line(directory.string()) + ": " + reason);
   };
   std::error_code failure;
   fs::create_directories(directory, failure);
   if (failure) fail(failure.message());
-  core::prove_writable(directory, kProvedBytes);
+  core::prove_writable(directory, kProvedBytes + bytes);
 }
 
-OutputLock claim_directory(const fs::path& directory, const std::vector<std::string>& variants,
-                           const Options& options) {
+fs::path make_subdirectory(const fs::path& directory, const std::string& name, std::size_t bytes) {
+  const fs::path place = directory / name;
+  check_is_no_link(place);
+  make_directory(place, bytes);
+  return place;
+}
+
+OutputLock claim_directory(const fs::path& directory, const std::vector<std::string>& variants, const Options& options,
+                           std::size_t bytes) {
   check_not_in_use(directory);
   check_free(directory, variants, options);
-  make_directory(directory);
+  make_directory(directory, bytes);
   OutputLock lock(directory);
   check_free(directory, variants, options);  // another run may have ended in between
   return lock;
 }
 
-void write_results(const fs::path& directory, const std::function<void()>& write) {
+void write_results(const fs::path& directory, const OutputLock& lock, const std::function<void()>& write) {
+  lock.check();
   try {
     write();
   } catch (const std::exception& error) {

@@ -70,6 +70,12 @@ OutputLock::OutputLock(const fs::path& directory) : file_(directory / kLockName)
 OutputLock::OutputLock(OutputLock&& other) noexcept
     : file_(std::move(other.file_)), descriptor_(std::exchange(other.descriptor_, -1)) {}
 
+void OutputLock::check() const {
+  if (is_in_place(descriptor_, file_)) return;
+  throw core::Error("cannot write to " + core::one_line(file_.parent_path().string()) + ": its " + kLockName +
+                    " has gone or is of another run (the directory was removed, moved or taken over)");
+}
+
 OutputLock::~OutputLock() {
   if (descriptor_ < 0) return;
   if (is_in_place(descriptor_, file_)) ::unlink(file_.c_str());

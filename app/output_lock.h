@@ -17,6 +17,9 @@ class OutputLock {
   OutputLock(OutputLock&& other) noexcept;
   OutputLock& operator=(OutputLock&&) = delete;
 
+  /// Before each writing: throws Error if the lock has gone with its directory, in which another run may be at work.
+  void check() const;
+
  private:
   std::filesystem::path file_;
   int descriptor_ = -1;

@@ -6,15 +6,19 @@
 #include <cstdint>
 #include <cstdlib>
 #include <cstring>
-#include <fstream>
-#include <iterator>
+#include <string_view>
 #include <system_error>
 
 #include <fcntl.h>
 #include <sched.h>
 #include <unistd.h>
 
+#include "app/batch_earlier.h"
+#include "app/output_lock.h"
+#include "core/base/durable_file.h"
 #include "core/base/error.h"
+#include "core/config/message_text.h"
+#include "core/config/text_file.h"
 #include "core/montecarlo/batches.h"
 
 namespace evenglow::app {
@@ -48,6 +52,8 @@ fs::path new_folder() {
   return name;
 }
 
+constexpr std::size_t kMaxStateBytes = std::size_t{1} << 30;  // of all states; as of one on the disk
+
 void append(std::string& bytes, const std::string& part) {
   const std::uint64_t size = part.size();
   bytes.append(reinterpret_cast<const char*>(&size), sizeof(size));
@@ -64,6 +70,17 @@ std::string next_part(const std::string& bytes, std::size_t& at) {
   return bytes.substr(at - size, size);
 }
 
+/// `checkpoint.json`, `checkpoint_1.json`, both with `.previous`, and `batch.json`: what a run goes on from.
+bool is_state_name(std::string_view name) {
+  if (name == kBatchSummary) return true;
+  if (!name.starts_with("checkpoint") || !name.ends_with(".json")) return false;
+  name.remove_prefix(std::string_view("checkpoint").size());
+  name.remove_suffix(std::string_view(".json").size());
+  if (name.ends_with(".previous")) name.remove_suffix(std::string_view(".previous").size());
+  return name.empty() ||
+         (name.size() > 1 && name.front() == '_' && name.find_first_not_of("0123456789", 1) == std::string_view::npos);
+}
+
 }  // namespace
 
 void keep_quiet() {
@@ -77,13 +94,20 @@ void keep_quiet() {
 std::string packed_state(const fs::path& directory) {
   std::string bytes;
   std::error_code ignored;
-  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(directory, ignored)) {
-    const bool folder = entry.is_directory(ignored);
-    if (!folder && (!entry.is_regular_file(ignored) || entry.path().extension() != ".json")) continue;
-    append(bytes, fs::relative(entry.path(), directory).string() + (folder ? "/" : ""));
-    if (folder) continue;
-    std::ifstream in(entry.path(), std::ios::binary);
-    append(bytes, std::string(std::istreambuf_iterator<char>(in), {}));
+  const auto append_states = [&](const fs::path& folder, const std::string& prefix) {
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder, ignored)) {
+      const std::string name = entry.path().filename().string();
+      if (!is_state_name(name) || entry.is_symlink(ignored) || !entry.is_regular_file(ignored)) continue;
+      append(bytes, prefix + name);
+      append(bytes, core::read_text_file(entry.path(), kMaxStateBytes));
+      if (bytes.size() > kMaxStateBytes)
+        throw core::Error("the states in " + core::one_line(directory.string()) + " are too large for other ranks");
+    }
+  };
+  append_states(directory, "");
+  for (const fs::directory_entry& entry : fs::directory_iterator(directory, ignored)) {
+    if (entry.is_symlink(ignored) || !entry.is_directory(ignored)) continue;
+    append_states(entry.path(), entry.path().filename().string() + '/');
   }
   return bytes;
 }
@@ -91,11 +115,14 @@ std::string packed_state(const fs::path& directory) {
 void unpack_state(const std::string& bytes, const fs::path& directory) {
   for (std::size_t at = 0; at < bytes.size();) {
     const std::string name = next_part(bytes, at);
-    if (name.ends_with('/')) {
-      fs::create_directories(directory / name);
-      continue;
-    }
-    std::ofstream(directory / name, std::ios::binary) << next_part(bytes, at);
+    const std::size_t slash = name.find('/');
+    const std::string folder = slash == std::string::npos ? "" : name.substr(0, slash);
+    const bool known = is_state_name(slash == std::string::npos ? name : name.substr(slash + 1));
+    const bool below = slash == std::string::npos || folder.find_first_not_of('.') != std::string::npos;
+    if (!known || !below) throw core::Error("a state for other ranks has the name " + core::shown(name));
+    const fs::path file = directory / name;
+    fs::create_directories(file.parent_path());
+    core::write_durably(file, next_part(bytes, at));
   }
 }
 
@@ -112,6 +139,7 @@ RankRole::RankRole(core::RankGroup& ranks, const Options& options, const fs::pat
     options_.json_progress = false;
   }
   if (!options.resume) return;
+  if (ranks.rank() == 0) check_not_in_use(directory);  // else the state may change while it is sent
   const std::string state = ranks.texts(ranks.rank() == 0 ? packed_state(directory) : "", stop).front();
   if (ranks.rank() == 0 || state.empty()) return;
   fs::create_directories(options_.out);

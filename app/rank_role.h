@@ -33,7 +33,8 @@ class RankRole {
   std::filesystem::path own_folder_;  ///< of a helper
 };
 
-/// The folders and JSON files below a directory as one text, and back into another one. Exposed for their test.
+/// The states of interrupted work in a directory and the folders in it (checkpoints and `batch.json`; no links, 1 GiB
+/// at most) as one text, and back into another one, which nothing leaves. Throw Error. Exposed for their test.
 std::string packed_state(const std::filesystem::path& directory);
 void unpack_state(const std::string& bytes, const std::filesystem::path& directory);
 

@@ -5,6 +5,7 @@
 
 #include <fmt/core.h>
 
+#include "core/config/message_text.h"
 #include "design/report/number_format.h"
 
 namespace evenglow::app {
@@ -20,7 +21,7 @@ std::string spot_ratio(double ratio, double error) {
 
 void print_result(const design::Report& report, const std::filesystem::path& directory) {
   const design::FinalJudgment& f = report.final;
-  fmt::print("{}{}\n", report.title, report.variant.empty() ? "" : " (" + report.variant + ")");
+  fmt::print("{}{}\n", core::one_line(report.title), report.variant.empty() ? "" : " (" + report.variant + ")");
   fmt::print("  stop                 {}\n", report.stop_reason);
   const std::string why_none = f.luminance_mean.value <= 0.0         ? "no light in the viewing cone"
                                : report.luminance.values.size() == 1 ? "at least two cells are needed"

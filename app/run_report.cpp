@@ -5,6 +5,7 @@
 #include <fmt/core.h>
 
 #include "app/section_paths.h"
+#include "core/base/build_id.h"
 #include "core/base/sha256.h"
 #include "core/base/units.h"
 #include "core/base/version.h"
@@ -56,6 +57,7 @@ std::string estimator_text(const tracer::LuminanceReceiverSpec& luminance) {
 Report describe_run(const Run& run, const RunContext& context) {
   Report report;
   report.version = core::version();
+  report.build_id = core::build_id();
   report.title = run.title;
   report.variant = run.variant;
   report.command = context.command;

@@ -9,6 +9,7 @@
 #include "app/commands/commands.h"
 #include "app/output_directory.h"
 #include "app/progress.h"
+#include "app/run_context.h"
 
 namespace evenglow::app {
 namespace {
@@ -41,6 +42,9 @@ std::filesystem::path batch_directory(const Options& options) {
 int batch_command(const Session& session) {
   const Options& options = session.options;
   std::vector<PlannedRun> plan = plan_batch(options, options.simulate ? Purpose::kTrace : Purpose::kDesign);
+  std::string identity;
+  for (const PlannedRun& run : plan) identity += run.name + ' ' + run.identity + '\n';
+  agree_on_input(options, identity, session.stop);
   const bool none_good =
       std::all_of(plan.begin(), plan.end(), [](const PlannedRun& run) { return !run.faults.empty(); });
   tell_faults(plan, options.json_progress);
@@ -51,7 +55,7 @@ int batch_command(const Session& session) {
   make_directory(directory);
   const OutputLock lock(directory);
   check_places(directory, plan, options);
-  return BatchJob(session, std::move(plan), directory).run();
+  return BatchJob(session, std::move(plan), directory, lock).run();
 }
 
 }  // namespace evenglow::app

@@ -13,6 +13,8 @@
 namespace evenglow::app {
 namespace {
 
+constexpr const char* kWork = "compare";
+
 /// Each variant of a single file, or each of several files on its own.
 std::vector<Run> read_all(const Options& options) {
   if (options.files.size() == 1) return read_variants(options.files.front(), options, Purpose::kDesign);
@@ -22,9 +24,9 @@ std::vector<Run> read_all(const Options& options) {
   for (const auto& file : options.files) {
     try {
       Run run = read_run(file, options, Purpose::kDesign);
-      run.variant = file.stem().string();
+      run.variant = run_name(file);
       for (int i = 2; is_result_name(run.variant) || !names.insert(run.variant).second; ++i)
-        run.variant = fmt::format("{}-{}", file.stem().string(), i);
+        run.variant = fmt::format("{}-{}", run_name(file), i);
       runs.push_back(std::move(run));
     } catch (const core::ConfigError& error) {
       faults.insert(faults.end(), error.faults().begin(), error.faults().end());
@@ -52,28 +54,34 @@ int compare_command(const Session& session) {
   }
   const auto directory = output_directory(session.options, session.options.files.front());
   std::vector<std::string> places;
+  std::string identity;
+  std::size_t bytes = 0;
   places.reserve(runs.size());
-  for (const Run& run : runs) places.push_back(run.variant);
-  const OutputLock lock = claim_directory(directory, places, session.options);
+  for (const Run& run : runs) {
+    places.push_back(run.variant);
+    bytes += disk_bytes(run);
+    identity += run_identity(run, kWork) + ' ' + run.variant + '\n';
+  }
+  agree_on_input(session.options, identity, session.stop);
+  const OutputLock lock = claim_directory(directory, places, session.options, bytes);
   const std::string title = runs.front().title;
   const auto formats = runs.front().output;
   Progress progress(session.options.quiet, session.options.json_progress);
   std::vector<design::Report> reports;
   std::vector<OutputLock> locks;  // of the variants: their folders may be named as directories of other runs
+  for (const std::string& name : places) locks.emplace_back(make_subdirectory(directory, name));
   for (std::size_t i = 0; i < runs.size(); ++i) {
-    const auto place = directory / runs[i].variant;
-    make_directory(place);
-    locks.emplace_back(place);
+    const auto place = directory / places[i];
     const RunContext context{
-        session.options,        progress, session.stop, session.program_arguments, static_cast<std::uint32_t>(i),
-        place / kCheckpointName};
+        session.options,         progress,  session.stop, session.program_arguments, static_cast<std::uint32_t>(i),
+        place / kCheckpointName, &locks[i], kWork};
     const auto own_formats = runs[i].output;
     auto report = run_design_job(std::move(runs[i]), context);
     if (!report) {
       progress.line("interrupted: --resume goes on from the last whole step");
       return kInterrupted;
     }
-    write_results(place, [&] {
+    write_results(place, locks[i], [&] {
       clear_results(place);
       design::write_report(*report, own_formats, place);
     });
@@ -81,7 +89,7 @@ int compare_command(const Session& session) {
     reports.push_back(std::move(*report));
   }
   const design::Comparison comparison = design::compare_reports(title, session.program_arguments, std::move(reports));
-  write_results(directory, [&] {
+  write_results(directory, lock, [&] {
     clear_results(directory);
     design::write_report(comparison, formats, directory);
   });

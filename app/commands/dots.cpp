@@ -111,9 +111,10 @@ DotsOverrides DotsCommand::overrides() const {
 int DotsCommand::run(const Session&) {
   std::error_code ignored;
   const bool directory = fs::is_directory(source_, ignored);
-  const fs::path out = !out_.empty() ? out_ : directory ? source_ / "dots" : fs::path("out") / source_.stem();
+  const fs::path out = !out_.empty() ? out_ : directory ? source_ / "dots" : fs::path("out") / run_name(source_);
   if (fs::exists(out, ignored) && !fs::is_directory(out, ignored))
     throw core::ConfigError(core::Fault{core::one_line(out.string()), 0, 0, "", "must be a directory, got a file"});
+  if (out_.empty() && directory) check_is_no_link(out);
   std::vector<fs::path> files;
   files.reserve(kDotFiles.size());
   for (const char* name : kDotFiles) files.push_back(out / name);

@@ -5,24 +5,32 @@
 #include "app/front_report.h"
 #include "app/front_run.h"
 #include "app/output_directory.h"
+#include "core/config/message_text.h"
 #include "design/engine/design_start.h"
 #include "design/engine/level_front.h"
 #include "tracer/scene/refined_density.h"
 
 namespace evenglow::app {
 
+namespace {
+
+constexpr const char* kWork = "pareto";
+
+}  // namespace
+
 int pareto_command(const Session& session) {
   const auto& file = session.options.files.front();
   Run run = read_run(file, session.options, Purpose::kDesign);
+  agree_on_input(session.options, run_identity(run, kWork), session.stop);
   const auto directory = output_directory(session.options, file);
-  const OutputLock lock = claim_directory(directory, {}, session.options);
+  const OutputLock lock = claim_directory(directory, {}, session.options, disk_bytes(run));
   Progress progress(session.options.quiet, session.options.json_progress);
-  const RunContext context{session.options,           progress, session.stop,
-                           session.program_arguments, 0,        directory / kCheckpointName};
+  const RunContext context{
+      session.options, progress, session.stop, session.program_arguments, 0, directory / kCheckpointName, &lock, kWork};
   if (!session.options.resume) remove_point_checkpoints(context.checkpoint);
   const tracer::DensityField start = design::first_density(run.backlight, run.design);
   const design::DesignLimits limits = design_limits(run);
-  const design::FrontHooks hooks = front_hooks(run, context, run_identity(run, 0));
+  const design::FrontHooks hooks = front_hooks(run, context);
   const tracer::Scene scene = tracer::compile_scene(std::move(run.backlight));
   const design::ForwardModel model = make_model(scene, run, context);
   const auto levels = run.design.pareto_levels.empty() ? front_levels(run.design, start) : run.design.pareto_levels;
@@ -34,12 +42,12 @@ int pareto_command(const Session& session) {
   }
   for (design::FrontPoint& point : *points) point.density = tracer::traced_density(scene.spec, {point.density}).cells;
   const design::Study study = front_study(run, session.program_arguments, *points);
-  write_results(directory, [&] {
+  write_results(directory, lock, [&] {
     clear_results(directory);
     write_front(study, run, *points, directory);
   });
   remove_point_checkpoints(context.checkpoint);
-  fmt::print("{}\n{}files: {}\n", study.title, design::study_text(study), directory.string());
+  fmt::print("{}\n{}files: {}\n", core::one_line(study.title), design::study_text(study), directory.string());
   return kDone;
 }
 

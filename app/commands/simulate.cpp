@@ -10,8 +10,9 @@ namespace evenglow::app {
 int simulate_command(const Session& session) {
   const auto& file = session.options.files.front();
   Run run = read_run(file, session.options);
+  agree_on_input(session.options, run_identity(run, "simulate"), session.stop);
   const auto directory = output_directory(session.options, file);
-  const OutputLock lock = claim_directory(directory, {}, session.options);
+  const OutputLock lock = claim_directory(directory, {}, session.options, disk_bytes(run));
   const auto formats = run.output;
   Progress progress(session.options.quiet, session.options.json_progress);
   const RunContext context{session.options, progress, session.stop, session.program_arguments};
@@ -20,6 +21,7 @@ int simulate_command(const Session& session) {
     progress.line("interrupted: nothing was written");
     return kInterrupted;
   }
+  lock.check();
   clear_results(directory);
   design::write_report(*report, formats, directory);
   design::remove_state(directory / kCheckpointName);

@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 
 /// Writes and flushes; what went wrong, if anything.
 std::error_code write_flushed(const fs::path& file, std::string_view text) {
-  FileDescriptor out(::open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644));
+  FileDescriptor out(open_anew(file));
   if (out.number() < 0) return last_system_error();
   while (!text.empty()) {
     const ssize_t count = ::write(out.number(), text.data(), text.size());
@@ -25,6 +25,17 @@ std::error_code write_flushed(const fs::path& file, std::string_view text) {
     if (count < 0) return last_system_error();
     text.remove_prefix(static_cast<std::size_t>(count));
   }
+  if (::fsync(out.number()) != 0) return last_system_error();
+  return out.close();
+}
+
+/// Has so many bytes set aside for a file, and flushes; what went wrong, if anything.
+std::error_code reserve_flushed(const fs::path& file, std::size_t bytes) {
+  FileDescriptor out(open_anew(file));
+  if (out.number() < 0) return last_system_error();
+  int error = EINTR;
+  while (error == EINTR) error = ::posix_fallocate(out.number(), 0, static_cast<off_t>(bytes));
+  if (error != 0) return {error, std::generic_category()};
   if (::fsync(out.number()) != 0) return last_system_error();
   return out.close();
 }
@@ -79,6 +90,11 @@ void keep_as(const fs::path& file, const fs::path& previous) {
 
 }  // namespace
 
+int open_anew(const fs::path& file) {
+  if (::unlink(file.c_str()) != 0 && errno != ENOENT) return -1;
+  return ::open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0644);
+}
+
 void write_durably(const fs::path& file, std::string_view content) {
   put_in_place(write_beside(file, content), file);
 }
@@ -91,7 +107,7 @@ void write_durably_keeping(const fs::path& file, const fs::path& previous, std::
 
 void prove_writable(const fs::path& folder, std::size_t bytes) {
   const fs::path probe = folder / ".evenglow-probe";
-  const std::error_code failure = write_flushed(probe, std::string(bytes, '\0'));
+  const std::error_code failure = reserve_flushed(probe, bytes);
   std::error_code ignored;
   fs::remove(probe, ignored);
   if (failure) throw Error("cannot write to " + folder.string() + ": " + failure.message());

@@ -20,7 +20,8 @@ struct Entry {
   int column = 1;
 };
 
-void split(std::string_view line, std::vector<Entry>& entries) {
+/// The entries of a line, and no more than `most` of them: a file of commas must not cost many times its size.
+void split(std::string_view line, std::size_t most, std::vector<Entry>& entries) {
   entries.clear();
   std::size_t begin = 0;
   while (true) {
@@ -30,7 +31,7 @@ void split(std::string_view line, std::vector<Entry>& entries) {
     while (first < last && (line[first] == ' ' || line[first] == '\t')) ++first;
     while (last > first && (line[last - 1] == ' ' || line[last - 1] == '\t')) --last;
     entries.push_back({line.substr(first, last - first), static_cast<int>(first) + 1});
-    if (comma == line.size()) return;
+    if (comma == line.size() || entries.size() == most) return;
     begin = comma + 1;
   }
 }
@@ -77,11 +78,11 @@ class CsvParser {
   void take_line(std::string_view line) {
     if (line.ends_with('\r')) line.remove_suffix(1);
     if (line.find_first_not_of(" \t") == std::string_view::npos || line.starts_with('#')) return;
-    split(line, entries_);
+    split(line, (header_line_ == 0 ? columns_.size() : order_.size()) + 1, entries_);
     if (header_line_ == 0) {
       take_header();
     } else {
-      take_row();
+      take_row(line);
     }
   }
 
@@ -110,11 +111,11 @@ class CsvParser {
   /// Rows below a wrong header say nothing.
   void stop() { throw ConfigError(std::move(faults_)); }
 
-  void take_row() {
+  void take_row(std::string_view line) {
     if (entries_.size() != order_.size()) {
       fault(1, {},
             fmt::format("must have {} entries as the header (line {}), got {}", order_.size(), header_line_,
-                        entries_.size()));
+                        std::ranges::count(line, ',') + 1));
       return;
     }
     const std::size_t base = table_.values_.size();

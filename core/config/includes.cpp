@@ -19,6 +19,7 @@ namespace {
 
 constexpr int kMaxNesting = 8;
 constexpr std::size_t kMaxFiles = 200;
+constexpr std::size_t kMaxIncludedBytes = 2 * kMaxRunFileBytes;  // comments count: reading them takes time as well
 
 /// Of the file that names others.
 struct Home {
@@ -86,6 +87,12 @@ class Includes {
                                     const std::string& path) {
     try {
       const std::string text = read_text_file(file, kMaxRunFileBytes);
+      text_ += text.size();
+      if (text_ > kMaxIncludedBytes) {
+        if (files_ <= kMaxFiles) state_.note(include.place, path, "must not lead to more than 16 MiB of files in all");
+        files_ = kMaxFiles + 1;  // no more
+        return nullptr;
+      }
       require_text(text, file.string());
       const auto name = std::make_shared<const std::string>(file.string());
       std::vector<Fault> faults;
@@ -117,7 +124,7 @@ class Includes {
 
   ConfigState& state_;
   std::vector<const ConfigValue*> done_;
-  std::size_t files_ = 0, values_ = 0, bytes_ = 0;
+  std::size_t files_ = 0, values_ = 0, bytes_ = 0, text_ = 0;
 };
 
 }  // namespace

@@ -11,8 +11,8 @@ inline constexpr std::string_view kIncludeKey = "include";
 
 /// Puts in the place of every `include: FILE` in `value` and below what the file holds; FILE is taken relative to the
 /// folder of the file that names it, and so are the files that an included value names. Included files may include
-/// others, at most 8 deep, at most 200 files in all. Values keep their places, so that a fault names the file that it
-/// stands in. Faults are noted; `path` is that of `value`.
+/// others, at most 8 deep, at most 200 files and 16 MiB in all. Values keep their places, so that a fault names the
+/// file that it stands in. Faults are noted; `path` is that of `value`.
 void expand_includes(ConfigState& state, ConfigValue& value, const std::string& path,
                      const std::filesystem::path& folder);
 

@@ -4,6 +4,9 @@
 #include <system_error>
 #include <utility>
 
+#include <unistd.h>
+
+#include "core/base/durable_file.h"
 #include "core/base/error.h"
 #include "core/config/message_text.h"
 
@@ -11,8 +14,14 @@ namespace evenglow::design {
 
 StreamedFile::StreamedFile(std::filesystem::path path) : path_(std::move(path)), part_(path_) {
   part_ += ".part";
-  file_.reset(std::fopen(part_.c_str(), "wbe"));
-  if (file_ == nullptr) fail();
+  const int descriptor = core::open_anew(part_);
+  if (descriptor >= 0) file_.reset(::fdopen(descriptor, "wb"));
+  if (file_ == nullptr) {
+    const int reason = errno;
+    if (descriptor >= 0) ::close(descriptor);
+    errno = reason;
+    fail();
+  }
 }
 
 StreamedFile::~StreamedFile() {

@@ -1,10 +1,13 @@
 #include "design/engine/checkpoint.h"
 
+#include <algorithm>
+#include <limits>
 #include <utility>
 
 #include <nlohmann/json.hpp>
 
 #include "core/base/error.h"
+#include "core/config/json_depth.h"
 #include "design/engine/state_file.h"
 
 namespace evenglow::design {
@@ -13,7 +16,8 @@ namespace {
 using nlohmann::json;
 
 constexpr const char* kFormat = "evenglow-checkpoint/3";
-constexpr int kMaxCellsAlong = 1 << 15;  // their product stays an int
+constexpr std::uint64_t kMostPhotons = 1'000'000'000'000;  // as `trace.photons` allows
+constexpr int kMaxCellsAlong = 1 << 15;                    // their product stays an int
 
 json to_json(const core::CellField& field) {
   const core::CellGrid& g = field.grid;
@@ -93,6 +97,29 @@ json to_json(const std::string& identity, const DesignProgress& progress) {
           {"memory", progress.memory}};
 }
 
+void require(bool good, const char* fault) {
+  if (!good) throw core::Error(fault);
+}
+
+bool all_within(const std::vector<double>& values, double least, double largest) {
+  return std::all_of(values.begin(), values.end(), [&](double value) { return value >= least && value <= largest; });
+}
+
+/// What no design writes. (JSON knows neither infinity nor what is no number.)
+void check(const DesignProgress& progress) {
+  require(!progress.steps.empty(), "it holds no step");
+  for (std::size_t i = 0; i < progress.steps.size(); ++i) {
+    require(progress.steps[i].step == static_cast<int>(i), "its steps do not count from 0");
+    require(progress.steps[i].photons <= kMostPhotons, "a step of it has too many photons");
+  }
+  require(progress.photons <= kMostPhotons, "it asks for too many photons");
+  require(
+      all_within(progress.density.cells.values, 0.0, 1.0) && all_within(progress.best_density.cells.values, 0.0, 1.0),
+      "its density leaves [0, 1]");
+  require(all_within(progress.start_luminance.values, 0.0, std::numeric_limits<double>::max()),
+          "its luminance is negative");
+}
+
 DesignProgress progress_from(const json& node) {
   DesignProgress progress;
   for (const json& step : node.at("steps")) progress.steps.push_back(step_from(step));
@@ -107,8 +134,15 @@ DesignProgress progress_from(const json& node) {
   progress.limit_notes = node.at("limit_notes").get<std::vector<std::string>>();
   progress.notes = node.at("notes").get<std::vector<std::string>>();
   progress.memory = node.at("memory").get<UpdaterMemory>();
-  core::expects(!progress.steps.empty(), "a checkpoint holds at least one step");
+  check(progress);
   return progress;
+}
+
+void check_fits(const DesignProgress& progress, const StateBounds& bounds) {
+  require(progress.density.cells.grid == bounds.density && progress.best_density.cells.grid == bounds.density,
+          "its density has other cells than the run file");
+  require(progress.start_luminance.grid == bounds.luminance, "its luminance has other cells than the run file");
+  require(progress.photons <= bounds.largest_photons, "it asks for more photons than the run file");
 }
 
 }  // namespace
@@ -119,6 +153,7 @@ void save_checkpoint(const std::filesystem::path& file, const std::string& ident
 
 DesignProgress parse_checkpoint(const std::string& object, std::string& identity) {
   try {
+    core::require_shallow_json(object);
     const json node = json::parse(object);
     if (node.at("format").get<std::string>() != kFormat) throw core::Error("it is of another version");
     identity = node.at("identity").get<std::string>();
@@ -129,15 +164,19 @@ DesignProgress parse_checkpoint(const std::string& object, std::string& identity
 }
 
 std::optional<DesignProgress> load_checkpoint(const std::filesystem::path& file, const std::string& identity,
-                                              std::string* note) {
+                                              std::string* note, const StateBounds* bounds) {
   std::optional<DesignProgress> progress;
   std::string found, told;
-  if (!load_state(
-          file, [&](const std::string& object) { progress = parse_checkpoint(object, found); }, told)) {
-    return std::nullopt;
-  }
+  const auto read = [&](const std::string& object) {
+    progress = parse_checkpoint(object, found);
+    if (bounds != nullptr && found == identity) check_fits(*progress, *bounds);
+  };
+  if (!load_state(file, read, told)) return std::nullopt;
   if (found != identity) {
-    throw core::Error(file.string() + ": the checkpoint is of another run (the run file or an option has changed)");
+    throw core::Error(
+        file.string() +
+        ": the checkpoint is of another run (another command or program, or the run file or an option has "
+        "changed)");
   }
   if (note != nullptr) *note = told;
   return progress;

@@ -9,6 +9,7 @@
 namespace evenglow::design {
 namespace {
 
+constexpr double kMostPhotons = 1e12;                     // as `trace.photons` allows
 constexpr const char* kRecordedSteps = "recorded_steps";  // in the memory: step, photons and density of each
 constexpr std::size_t kMostBytes = std::size_t{512} << 20;
 
@@ -41,8 +42,9 @@ bool KeptRecords::restore(const ForwardModel& model, tracer::DensityField densit
   const std::vector<double> list = told->second;
   const std::size_t cells = density.cells.values.size();
   for (std::size_t at = 0; at + 2 + cells <= list.size(); at += 2 + cells) {
+    // A state may come from anyone: numbers that are none of a step's end it.
+    if (!(list[at] >= 0.0 && list[at] < step && list[at + 1] >= 1.0 && list[at + 1] <= kMostPhotons)) break;
     const auto number = static_cast<std::uint32_t>(list[at]);
-    if (number >= step) break;
     const auto values = list.begin() + static_cast<std::ptrdiff_t>(at) + 2;
     std::copy(values, values + static_cast<std::ptrdiff_t>(cells), density.cells.values.begin());
     auto again = model.recording(density, static_cast<std::uint64_t>(list[at + 1]), number);

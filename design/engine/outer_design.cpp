@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <exception>
 #include <utility>
 
 #include <fmt/core.h>
@@ -58,6 +59,21 @@ class Search {
          const std::function<void(const std::vector<OuterResult>&)>& observer)
       : model_(model), spec_(spec), known_(std::move(known)), observer_(observer) {}
 
+  /// NLopt passes no exception on but its own: what fails waits here for `rethrow`.
+  double merit_or_stop(const std::vector<double>& scaled) {
+    try {
+      return merit_at(scaled);
+    } catch (const nlopt::forced_stop&) {
+      throw;
+    } catch (...) {
+      failure_ = std::current_exception();
+      throw nlopt::forced_stop();
+    }
+  }
+  void rethrow() const {
+    if (failure_) std::rethrow_exception(failure_);
+  }
+
   double merit_at(const std::vector<double>& scaled) {
     const std::vector<double> values = values_of(scaled);
     for (const OuterResult& result : results_) {
@@ -108,6 +124,7 @@ class Search {
   const std::function<void(const std::vector<OuterResult>&)>& observer_;
   std::vector<OuterResult> results_;
   bool interrupted_ = false;
+  std::exception_ptr failure_;
 };
 
 }  // namespace
@@ -154,7 +171,7 @@ std::optional<std::vector<OuterResult>> run_outer(
   Search search(model, spec, std::move(known), observer);
   nlopt::opt optimizer(algorithm_of(spec.method), static_cast<unsigned>(spec.variables.size()));
   optimizer.set_min_objective([](const std::vector<double>& x, std::vector<double>&,
-                                 void* data) { return static_cast<Search*>(data)->merit_at(x); },
+                                 void* data) { return static_cast<Search*>(data)->merit_or_stop(x); },
                               &search);
   optimizer.set_lower_bounds(0.0);
   optimizer.set_upper_bounds(1.0);
@@ -168,6 +185,7 @@ std::optional<std::vector<OuterResult>> run_outer(
   } catch (const nlopt::forced_stop&) {  // the budget is spent, or interrupted
   } catch (const nlopt::roundoff_limited&) {
   }
+  search.rethrow();
   if (search.interrupted()) return std::nullopt;
   return search.take();
 }

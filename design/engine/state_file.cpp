@@ -53,6 +53,9 @@ std::string unsealed_state(const std::string& text) {
 }
 
 void save_state(const fs::path& file, const std::string& object) {
+  // A damaged one that was there must not take the place of the good one of the step before.
+  std::error_code ignored;
+  if (fs::exists(file, ignored) && !attempt(file, [](const std::string&) {}).empty()) fs::remove(file, ignored);
   core::write_durably_keeping(file, previous_state(file), sealed_state(object));
 }
 

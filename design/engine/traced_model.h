@@ -30,6 +30,10 @@ ForwardModel traced_model(const tracer::Scene& scene, TracedModelOptions options
 /// What a finished trace shows, in the units of the reports.
 Observation make_observation(const tracer::Scene& scene, const tracer::TraceResult& result);
 
+/// Every photon ends in one bin, so the energy account holds as many as were sent, but for rounding (1e-9); where they
+/// carry different luminous flux, as many but for chance (the flux of a photon is 1 on average): 20 standard errors.
+bool energy_adds_up(const core::Estimate& sum, std::uint64_t photons, bool flux_varies);
+
 /// The step number of the trace that judges a finished design: no design step has it.
 inline constexpr std::uint32_t kJudgingStep = 0xFFFFFFFFU;
 

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/error.h"
+#include "core/config/json_depth.h"
 #include "design/report/batch_table.h"
 #include "design/report/json_metrology.h"
 
@@ -80,6 +81,7 @@ std::string batch_json(const BatchTable& table) {
 
 BatchTable read_batch_json(const std::string& text) {
   try {
+    core::require_shallow_json(text);
     const Json json = Json::parse(text);
     core::expects(json.at("format").get<std::string>() == kFormat, "the format evenglow-batch/1");
     BatchTable table;

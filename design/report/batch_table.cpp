@@ -65,10 +65,6 @@ std::string left_over_text(const BatchTable& table) {
   return text + " (left from an earlier one)";
 }
 
-void write_batch_json(const BatchTable& table, const std::filesystem::path& directory) {
-  write_file(directory / "batch.json", batch_json(table));
-}
-
 void write_batch_pages(const BatchTable& table, const std::filesystem::path& directory) {
   write_file(directory / "batch.csv", batch_csv(table));
   write_file(directory / "batch.html", batch_html(table, directory));

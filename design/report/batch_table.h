@@ -50,8 +50,6 @@ std::string batch_html(const BatchTable& table, const std::filesystem::path& dir
 /// `not of this batch: a, b, c (left from an earlier one)`, twenty names at most; empty if nothing is left over.
 std::string left_over_text(const BatchTable& table);
 
-/// Writes `batch.json`, which a batch goes on from.
-void write_batch_json(const BatchTable& table, const std::filesystem::path& directory);
 /// Writes `batch.csv` and `batch.html`, which people read.
 void write_batch_pages(const BatchTable& table, const std::filesystem::path& directory);
 

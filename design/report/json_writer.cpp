@@ -93,6 +93,7 @@ Json variant_of(const Report& report) {
 std::string result_json(const Report& report) {
   Json object{{"format", "evenglow-result/1"},
               {"version", report.version},
+              {"program_build_id", report.build_id},
               {"title", report.title},
               {"variant", report.variant},
               {"command", report.command},

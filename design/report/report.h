@@ -36,6 +36,7 @@ std::string film_note(std::size_t index, const FilmEntry& film, const std::strin
 /// A finished (or interrupted) `simulate` or `design` run of one backlight.
 struct Report {
   std::string version;
+  std::string build_id;  ///< of the program (core/base/build_id.h)
   std::string title;
   std::string variant;                 ///< name within a comparison; empty for a single run
   std::string command;                 ///< the command line that repeats the run, paths as given by the user

@@ -70,7 +70,7 @@ void judge(const DesignState& state, UpdaterMemory& memory) {
   const double se = 2.0 * std::abs(rms) * state.record.rms_corrected.se;
   const double level = std::log(state.density.cells.mean());
   const auto last = memory.find(kJudged);
-  if (last != memory.end()) {
+  if (last != memory.end() && last->second.size() == 4) {  // a state may come from anyone
     const std::vector<double>& j = last->second;
     const bool worse = j[3] > 0.0 && square > kWorse * j[0] + 2.0 * std::hypot(se, j[1]);
     if (worse || std::abs(level - j[2]) > kLevelMoved) forget(memory);
@@ -126,7 +126,7 @@ core::CellField anderson_step(const core::CellField& residual, double noise_squa
                               const DesignSpec& spec, bool accelerate, UpdaterMemory& memory) {
   judge(state, memory);
   const std::size_t cells = residual.values.size();
-  if (memory[kPoints].size() % cells != 0) forget(memory);
+  if (memory[kPoints].size() % cells != 0 || memory[kPoints].size() != memory[kResiduals].size()) forget(memory);
   const Vector f = Block(residual.values.data(), static_cast<Eigen::Index>(cells));
   if (f.squaredNorm() > kLinear * kLinear * static_cast<double>(cells)) {
     forget(memory);

@@ -104,7 +104,7 @@ class SplineUpdater final : public Updater {
   Proposal propose(const DesignState& state, const DesignSpec& spec, UpdaterMemory& memory) const override {
     auto& base = memory[kBase];
     auto& values = memory[kValues];
-    if (base.empty()) base = state.density.cells.values;
+    if (base.size() != state.density.cells.values.size()) base = state.density.cells.values;
     values.push_back(state.record.rms_corrected.value);
     const core::CellField factor =
         spline_field(state.density.cells.grid, spec.spline.nx, spec.spline.ny, next_point(values, spec.spline));

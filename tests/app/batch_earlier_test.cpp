@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "core/base/error.h"
+#include "design/engine/state_file.h"
 #include "tests/support/program.h"
 
 namespace evenglow::app {
@@ -16,7 +17,7 @@ class BatchEarlier : public ::testing::Test {
     table.rows.resize(2);
     table.rows[0].name = "p1";
     table.rows[1].name = "p2";
-    tests::write_text(folder_ / kBatchSummary, design::batch_json(table));
+    tests::write_text(folder_ / kBatchSummary, design::sealed_state(design::batch_json(table)));
   }
   tests::TempFolder folder_;
 };
@@ -48,6 +49,16 @@ TEST_F(BatchEarlier, FoldersThatAreNotOfThisBatchAreLeftOver) {
   std::vector<PlannedRun> plan(1);
   plan[0].name = "p1";
   EXPECT_THAT(left_over(earlier_batch(folder_.path(), {}), plan, folder_.path()), ::testing::ElementsAre("p2"));
+}
+
+/// 20 MB of brackets must not cost a hundred times that.
+TEST_F(BatchEarlier, OfDeepNestingIsRefused) {
+  tests::write_text(folder_ / kBatchSummary, design::sealed_state("{\"a\":" + std::string(20'000'000, '[') + "}"));
+  Options options;
+  options.resume = true;
+  EXPECT_THROW(earlier_batch(folder_.path(), options), core::ConfigError);
+  tests::write_text(folder_ / kBatchSummary, std::string(40'000'000, '['));
+  EXPECT_THROW(earlier_batch(folder_.path(), options), core::ConfigError) << "larger than any";
 }
 
 }  // namespace

@@ -103,7 +103,52 @@ TEST_F(BatchJobs, ADamagedSummaryIsRefused) {
   write_text(folder_ / "out" / "batch.json", "{\"format\": \"evenglow-batch/1\", \"runs\": 3}");
   const ProgramResult result = run({"batch", "tiny.yaml", "-o", "out", "--simulate", "--resume"});
   EXPECT_EQ(result.code, 2);
-  EXPECT_THAT(result.err, HasSubstr("out/batch.json: is no summary of a batch"));
+  EXPECT_THAT(result.err, HasSubstr("out/batch.json: it has no checksum"));
+}
+
+TEST_F(BatchJobs, AnAlteredSummaryIsNotBelieved) {
+  ASSERT_EQ(run({"batch", "tiny.yaml", "-o", "out", "--simulate", "--quiet"}).code, 0);
+  std::string text = file_text(folder_ / "out" / "batch.json");
+  const std::string key = "\"luminance_mean_cd_m2\": ";
+  ASSERT_NE(text.find(key), std::string::npos);
+  text.insert(text.begin() + static_cast<std::ptrdiff_t>(text.find(key) + key.size()), '9');
+  write_text(folder_ / "out" / "batch.json", text);
+  const ProgramResult result = run({"batch", "tiny.yaml", "-o", "out", "--simulate", "--resume"});
+  EXPECT_EQ(result.code, 2);
+  EXPECT_THAT(result.err, HasSubstr("out/batch.json: its checksum is wrong"));
+}
+
+TEST_F(BatchJobs, ARunWhoseResultHasGoneIsMadeAnew) {
+  const Words words = {"batch", "tiny.yaml", "-o", "out", "--simulate", "--resume"};
+  ASSERT_EQ(run(words).code, 0);
+  EXPECT_THAT(run(words).err, HasSubstr("tiny: done before"));
+  std::filesystem::remove(folder_ / "out/tiny/result.json");
+  const ProgramResult again = run(words);
+  EXPECT_EQ(again.code, 0) << again.err;
+  EXPECT_THAT(again.err, ::testing::Not(HasSubstr("done before")));
+  EXPECT_TRUE(std::filesystem::exists(folder_ / "out/tiny/result.json"));
+}
+
+/// The second run would be of another backlight than the first, and than the plan.
+TEST_F(BatchJobs, AFileThatChangesOnTheWayFailsItsRuns) {
+  write_text(folder_ / "part.yaml", "light_guide_plate: {length_mm: 20, width_mm: 10, thickness_mm: 0.6}\n");
+  std::string text = base_ + "sweep: {grid: {trace.seed: [1, 2]}}\n";
+  const std::string plate = "  light_guide_plate: {length_mm: 20, width_mm: 10, thickness_mm: 0.6}\n";
+  text.replace(text.find(plate), plate.size(), "  include: part.yaml\n");
+  write_text(folder_ / "tiny.yaml", text);
+  Program program(
+      words_of(EVENGLOW_PROGRAM, {"batch", "tiny.yaml", "-o", "out", "--simulate", "--quiet", "--photons", "4e5"}),
+      folder_.path());
+  while (program.is_running() && !std::filesystem::exists(folder_ / "out" / "p1_seed-1"))
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  write_text(folder_ / "part.yaml", "light_guide_plate: {length_mm: 20, width_mm: 10, thickness_mm: 0.5}\n");
+  const ProgramResult result = program.wait(60);
+  EXPECT_EQ(result.code, 1);
+  const auto table = summary("out");
+  EXPECT_EQ(table["runs"][0]["status"], "done");
+  EXPECT_EQ(table["runs"][1]["status"], "failed");
+  EXPECT_THAT(table["runs"][1]["message"].get<std::string>(), HasSubstr("has changed since the batch began"));
+  EXPECT_EQ(run({"batch", "tiny.yaml", "-o", "out", "--simulate", "--quiet", "--photons", "4e5", "--resume"}).code, 0);
 }
 
 TEST_F(BatchJobs, FoldersOfAnEarlierBatchAreTold) {

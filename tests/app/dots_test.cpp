@@ -27,6 +27,18 @@ class DotsCommand : public ::testing::Test {
   TempFolder folder_;
 };
 
+TEST_F(DotsCommand, AResultOfBracketsOrOfALinkIsRefused) {
+  std::filesystem::create_directories(folder_ / "deep");
+  write_text(folder_ / "deep" / "result.json", std::string(8'000'000, '['));
+  const auto deep = run({"deep", "--diameter_um", "40"});
+  EXPECT_EQ(deep.code, 2);
+  EXPECT_THAT(deep.err, HasSubstr("deep/result.json: must be the result of a design, but it nests deeper than 32"));
+  std::filesystem::create_directory_symlink("..", folder_ / "deep" / "dots");
+  const auto linked = run({"deep", "--diameter_um", "40"});
+  EXPECT_EQ(linked.code, 2);
+  EXPECT_THAT(linked.err, HasSubstr("deep/dots: must be a directory, got a symbolic link"));
+}
+
 TEST_F(DotsCommand, MakesDotsOfADesignAndReadsThemAgain) {
   design();
   const auto placed = run({"d", "--diameter_um", "40", "--panel_pitch_um", "54", "--quiet"});

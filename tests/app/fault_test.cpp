@@ -119,6 +119,21 @@ TEST_F(Faults, AFullDiskIsToldBeforeAPhotonIsTraced) {
   EXPECT_EQ(result.err, "evenglow: cannot write to out: File too large\n");
 }
 
+/// Fine cells need more than the rest: 16 MiB do not hold the states and results of 45,000.
+TEST_F(Faults, ADiskTooSmallForTheCellsIsToldBeforeAPhotonIsTraced) {
+  const auto with_cells = [&](const std::string& cells, const std::string& photons) {
+    return run_program({"/bin/sh", "-c",
+                        "ulimit -f 32768; exec '" + std::string(EVENGLOW_PROGRAM) +
+                            "' design tiny.yaml -o out --quiet --overwrite --photons " + photons +
+                            " --set 'backlight.microstructure.cells=" + cells + "'"},
+                       folder_.path(), 60);
+  };
+  const ProgramResult fine = with_cells("[300, 150]", "1e11");
+  EXPECT_EQ(fine.code, 1);
+  EXPECT_EQ(fine.err, "evenglow: cannot write to out: File too large\n");
+  EXPECT_EQ(with_cells("[8, 4]", "2e4").code, 0);
+}
+
 TEST_F(Faults, APhotonOfTheStepThatWasAtWorkCanBeFollowed) {
   const auto program = long_design();
   program->send(SIGKILL);
@@ -142,7 +157,19 @@ TEST_F(Faults, ADirectoryThatIsRemovedIsTold) {
   std::filesystem::rename(folder_ / "out", folder_ / "gone");
   const ProgramResult stopped = program->wait(60);
   EXPECT_EQ(stopped.code, 1);
-  EXPECT_THAT(stopped.err, HasSubstr("evenglow: cannot write out/checkpoint.json: No such file or directory"));
+  EXPECT_THAT(stopped.err, HasSubstr("evenglow: cannot write to out: its .evenglow-lock has gone"));
+}
+
+/// Another run has the name by now: the first must not write among its files.
+TEST_F(Faults, ADirectoryThatIsTakenOverIsLeftAlone) {
+  const auto program = long_design();
+  std::filesystem::rename(folder_ / "out", folder_ / "gone");
+  std::filesystem::create_directory(folder_ / "out");
+  const ProgramResult stopped = program->wait(60);
+  EXPECT_EQ(stopped.code, 1);
+  EXPECT_THAT(stopped.err,
+              HasSubstr("evenglow: cannot write to out: its .evenglow-lock has gone or is of another run"));
+  EXPECT_TRUE(std::filesystem::is_empty(folder_ / "out"));
 }
 
 TEST_F(Faults, OfADamagedCheckpointTheOneBeforeIsUsed) {

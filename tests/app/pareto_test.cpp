@@ -1,3 +1,6 @@
+#include <chrono>
+#include <thread>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -68,6 +71,47 @@ TEST_F(Studies, OptimizeTurnsScalarKeys) {
   const ProgramResult none = run({"optimize", "tiny.yaml"});
   EXPECT_EQ(none.code, 2);
   EXPECT_THAT(none.err, HasSubstr("optimize: must be a list"));
+}
+
+/// Designs of another backlight must not be compared with those before.
+TEST_F(Studies, OptimizeStopsWhereAFileChangesOnTheWay) {
+  std::string text = kTinyRun;
+  const std::string films = "  films: ";
+  const std::size_t at = text.find(films);
+  const std::string line = text.substr(at, text.find('\n', at) - at);
+  text.erase(at, line.size() + 1);
+  text.replace(text.find("backlight:\n"), 11, "backlight:\n  include: part.yaml\n");
+  write_text(folder_ / "part.yaml", line.substr(2) + "\n");
+  write_text(folder_ / "outer.yaml", text +
+                                         "optimize:\n  - {key: design.level, range: [0.05, 0.3]}\n"
+                                         "optimizer: {evaluations: 6, rms: 0.2}\n");
+  Program program(words_of(EVENGLOW_PROGRAM, {"optimize", "outer.yaml", "-o", "outer", "--quiet"}), folder_.path());
+  while (program.is_running() && !std::filesystem::exists(folder_ / "outer" / "checkpoint.json"))
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  write_text(folder_ / "part.yaml", line.substr(2) + "  # changed\n");
+  const ProgramResult result = program.wait(60);
+  EXPECT_EQ(result.code, 2);
+  EXPECT_EQ(result.err_lines().size(), 1u) << result.err;
+  EXPECT_THAT(result.err, HasSubstr("outer.yaml: must stay as it was until the search has ended"));
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "outer" / "optimize.json"));
+}
+
+/// A title is of the file, and so of anyone: nothing of it steers the terminal.
+TEST_F(Studies, TitlesSteerNoTerminal) {
+  const std::vector<std::string> title = {"--set", "title=\"x\\e[31mRED\"", "--quiet", "-o"};
+  for (const std::string command : {"simulate", "design", "pareto", "optimize"}) {
+    std::vector<std::string> words = {command, "tiny.yaml"};
+    words.insert(words.end(), title.begin(), title.end());
+    words.push_back("t_" + command);
+    if (command == "optimize") {
+      words.insert(words.end(), {"--set", "optimize=[{key: design.level, range: [0.05, 0.3]}]", "--set",
+                                 "optimizer={evaluations: 2}"});
+    }
+    const ProgramResult result = run(words);
+    EXPECT_EQ(result.code, 0) << result.err;
+    EXPECT_THAT(result.out, HasSubstr("RED")) << command;
+    EXPECT_THAT(result.out, ::testing::Not(HasSubstr("\x1b"))) << command;
+  }
 }
 
 TEST_F(Studies, MaxEfficiencyTellsEveryLevelItTried) {

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/base/error.h"
 #include "tests/support/temp_folder.h"
 #include "tests/support/thread_ranks.h"
 
@@ -58,13 +59,53 @@ TEST(RankRole, HelpersHaveTheStateOfRankZeroInFoldersOfTheirOwn) {
 
 TEST(RankRole, AStateThatIsCutIsRefused) {
   const TempFolder folder;
-  write_text(folder / "a.json", std::string(100, 'x'));
+  write_text(folder / "checkpoint.json", std::string(100, 'x'));
   const std::string bytes = app::packed_state(folder.path());
   const TempFolder other;
   EXPECT_THROW(app::unpack_state(bytes.substr(0, bytes.size() - 1), other.path()), std::exception);
   app::unpack_state(bytes, other.path());
-  EXPECT_EQ(file_text(other / "a.json"), file_text(folder / "a.json"));
+  EXPECT_EQ(file_text(other / "checkpoint.json"), file_text(folder / "checkpoint.json"));
   EXPECT_EQ(app::packed_state(folder / "nowhere"), "");
+}
+
+/// As `packed_state` writes it, of any name.
+std::string packed(const std::string& name, const std::string& content) {
+  std::string bytes;
+  for (const std::string& part : {name, content}) {
+    const std::uint64_t size = part.size();
+    bytes.append(reinterpret_cast<const char*>(&size), sizeof(size));
+    bytes += part;
+  }
+  return bytes;
+}
+
+TEST(RankRole, StatesThatLeaveTheFolderAreRefused) {
+  const TempFolder folder;
+  const fs::path own = folder / "a" / "own";
+  fs::create_directories(own);
+  for (const std::string name :
+       {"../checkpoint.json", "../../checkpoint.json", "./checkpoint.json", "/checkpoint.json", "x/../checkpoint.json",
+        "x/y/checkpoint.json", "authorized_keys", "result.json", "checkpoint_x.json", "..", "../", "x/", ""}) {
+    EXPECT_THROW(app::unpack_state(packed(name, "x"), own), core::Error) << name;
+  }
+  EXPECT_THROW(app::unpack_state(packed((folder / "checkpoint.json").string(), "x"), own), core::Error);
+  EXPECT_TRUE(fs::is_empty(own));
+  for (const std::string name : {"checkpoint.json", "checkpoint.previous.json", "checkpoint_12.json", "batch.json",
+                                 "lpp/checkpoint_1.previous.json"}) {
+    app::unpack_state(packed(name, "state"), own);
+    EXPECT_EQ(file_text(own / name), "state") << name;
+  }
+}
+
+TEST(RankRole, LinksAndOtherFilesAreNotSent) {
+  const TempFolder folder;
+  fs::create_directories(folder / "elsewhere" / "out");
+  const fs::path out = folder / "elsewhere" / "out";
+  write_text(folder / "checkpoint.json", "secret");
+  write_text(out / "keys.json", "secret");
+  fs::create_symlink("../../checkpoint.json", out / "checkpoint.json");
+  fs::create_directory_symlink("../..", out / "lpp");
+  EXPECT_EQ(app::packed_state(out), "");
 }
 
 }  // namespace

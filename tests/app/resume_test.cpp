@@ -181,6 +181,40 @@ TEST_F(Resume, OfAnotherRunIsRefused) {
   EXPECT_EQ(run(with(one_thread, {"--resume"})).code, 0) << "threads change nothing";
 }
 
+TEST_F(Resume, OfAnotherCommandIsRefused) {
+  ASSERT_EQ(interrupted_design(SIGINT).code, 130);
+  const std::string state = file_text(checkpoint_);
+  for (const char* command : {"pareto", "optimize"}) {
+    Words words = with(design("out"), {"--resume"});
+    words[0] = command;
+    if (words[0] == "optimize")
+      words = with(words, {"--set", "optimize=[{key: backlight.light_guide_plate.thickness_mm, range: [0.5, 0.7]}]"});
+    const ProgramResult result = run(words);
+    EXPECT_EQ(result.code, 2) << command;
+    EXPECT_EQ(result.err_lines().size(), 1u) << result.err;
+    EXPECT_THAT(result.err, HasSubstr("out/checkpoint.json: the checkpoint "));
+    EXPECT_EQ(file_text(checkpoint_), state);
+  }
+}
+
+/// Another build: the same program, but for the checksum that the linker has left in it.
+TEST_F(Resume, OfAnotherBuildIsRefused) {
+  ASSERT_EQ(interrupted_design(SIGINT).code, 130);
+  std::string program = file_text(EVENGLOW_PROGRAM);
+  const std::size_t note = program.find(std::string("\x14\0\0\0\x03\0\0\0GNU\0", 12));
+  ASSERT_NE(note, std::string::npos);
+  for (std::size_t i = note + 12; i < note + 32; ++i) program[i] = static_cast<char>(~program[i]);
+  write_text(folder_ / "other", program);
+  std::filesystem::permissions(folder_ / "other", std::filesystem::perms::owner_all);
+  const ProgramResult result =
+      run_program(words_of((folder_ / "other").string(), with(design("out"), {"--resume", "--quiet"})), folder_.path());
+  EXPECT_EQ(result.code, 2);
+  EXPECT_THAT(result.err, HasSubstr("the checkpoint is of another run (another command or program"));
+  ASSERT_EQ(run(with(design("out"), {"--resume"})).code, 0);
+  const auto id = json_of(folder_ / "out" / "result.json")["program_build_id"].get<std::string>();
+  EXPECT_EQ(id.size(), 40u);
+}
+
 TEST_F(Resume, OfADamagedCheckpointIsRefused) {
   ASSERT_EQ(interrupted_design(SIGINT).code, 130);
   const std::string state = file_text(checkpoint_);

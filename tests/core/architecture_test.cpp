@@ -39,7 +39,8 @@ const HouseRules& house() {
                {"tracer/optics", "tracer/polarized_bsdf", "core/config", "core/light", "core/math",
                 "core/montecarlo/photon_rng.h"}},
               {"tracer/microstructure",
-               {"tracer/optics", "core/config", "core/dots", "core/light", "core/math", "core/montecarlo/photon_rng.h"}},
+               {"tracer/optics", "core/config", "core/dots", "core/light", "core/math",
+                "core/montecarlo/photon_rng.h"}},
               {"tracer/sources",
                {"tracer/geometry/mesh.h", "tracer/optics", "core/config", "core/light", "core/math",
                 "core/montecarlo"}},
@@ -105,7 +106,7 @@ const HouseRules& house() {
               {"spdlog", {"spdlog/"}, {"app/"}},
               {"Eigen", {"Eigen/"}, {}},
               {"fmt", {"fmt/"}, {}},
-              {"POSIX", {"sys/", "unistd.h", "fcntl.h", "signal.h", "sched.h", "ucontext.h"}, {}},
+              {"POSIX", {"sys/", "link.h", "unistd.h", "fcntl.h", "signal.h", "sched.h", "ucontext.h"}, {}},
           },
   };
   return kRules;

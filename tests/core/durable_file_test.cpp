@@ -94,5 +94,23 @@ TEST(DurableFile, AReadOnlyOrMissingFolderIsTold) {
   std::filesystem::permissions(place, std::filesystem::perms::owner_all);
 }
 
+/// A link that waits at the name of a file to come leads no writing elsewhere.
+TEST(DurableFile, LinksAreNotFollowed) {
+  const tests::TempFolder folder;
+  std::filesystem::create_directory(folder / "out");
+  tests::write_text(folder / "victim", "mine");
+  for (const char* name : {"a", "a.part", "b", "b.part", ".evenglow-probe"})
+    std::filesystem::create_symlink("../victim", folder / "out" / name);
+  prove_writable(folder / "out", 100);
+  write_durably(folder / "out" / "a", "one");
+  std::filesystem::create_symlink("../victim", folder / "out" / "a.part");
+  write_durably_keeping(folder / "out" / "a", folder / "out" / "b", "two");
+  EXPECT_EQ(tests::file_text(folder / "victim"), "mine");
+  EXPECT_EQ(tests::file_text(folder / "out" / "a"), "two");
+  EXPECT_EQ(tests::file_text(folder / "out" / "b"), "one");
+  EXPECT_FALSE(std::filesystem::is_symlink(folder / "out" / "a"));
+  EXPECT_EQ(files_in(folder / "out"), 2u);
+}
+
 }  // namespace
 }  // namespace evenglow::core

@@ -116,6 +116,17 @@ TEST_F(IncludesTest, ManyAreRefusedSoon) {
   EXPECT_THAT(found, ::testing::Contains(HasSubstr("must not")));
 }
 
+/// Text that holds no values is read as well.
+TEST_F(IncludesTest, TheirTextIsBoundedInAll) {
+  std::string comments = "x: 1\n";
+  while (comments.size() < 6'000'000) comments.append("# ").append(900, 'c').append("\n");
+  write("comments.yaml", comments);
+  std::string many;
+  for (int i = 0; i < 150; ++i) many.append("k").append(std::to_string(i)).append(": {include: comments.yaml}\n");
+  EXPECT_THAT(faults(many), ::testing::Contains(HasSubstr("k2.include: must not lead to more than 16 MiB of files")));
+  EXPECT_EQ(faults("a: {include: comments.yaml}\nb: {include: comments.yaml}\n").size(), 0u);
+}
+
 TEST_F(IncludesTest, OverridesMayInclude) {
   write("part.yaml", "kind: lpp\n");
   write("run.yaml", "films: [{kind: dbef}]\n");

@@ -6,6 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "core/base/error.h"
 #include "tests/core/config_reading.h"
 
 namespace evenglow::design {
@@ -129,6 +130,23 @@ TEST(OuterKeys, AreReadInEitherSpelling) {
               ElementsAre(HasSubstr("must lie in the range")));
   EXPECT_THAT(faults("{}\n", &spec), IsEmpty());
   EXPECT_TRUE(spec.variables.empty());
+}
+
+/// What a design fails with is told, not that the search did.
+TEST_P(OuterDesign, AFailureIsPassedOn) {
+  int made = 0;
+  const OuterModel model = [&](const std::vector<double>& v) -> std::optional<OuterResult> {
+    if (++made == 4) throw core::Error("the disk is full");
+    std::mt19937_64 random(1);
+    return smooth(v, 0.0, random);
+  };
+  try {
+    run_outer(model, spec_of(GetParam()), {}, [](const auto&) {});
+    FAIL();
+  } catch (const core::Error& error) {
+    EXPECT_STREQ(error.what(), "the disk is full");
+  }
+  EXPECT_EQ(made, 4);
 }
 
 }  // namespace

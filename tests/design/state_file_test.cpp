@@ -79,5 +79,13 @@ TEST_F(StateFile, OfTwoBadOnesTheNewestIsTold) {
   EXPECT_EQ(tests::file_text(file_), "x");
 }
 
+/// A damaged state that was gone back from must not push the good one out.
+TEST_F(StateFile, SavingKeepsTheGoodOneBeforeADamagedNewest) {
+  tests::write_text(file_, "damaged");
+  save_state(file_, R"({"step":3})");
+  EXPECT_EQ(unsealed_state(tests::file_text(file_)), R"({"step":3})");
+  EXPECT_EQ(unsealed_state(tests::file_text(previous_)), R"({"step":1})");
+}
+
 }  // namespace
 }  // namespace evenglow::design

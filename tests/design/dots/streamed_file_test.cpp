@@ -33,6 +33,17 @@ TEST(StreamedFile, GivenUpLeavesNothing) {
   EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
 }
 
+TEST(StreamedFile, FollowsNoLink) {
+  const TempFolder folder;
+  write_text(folder / "victim", "mine");
+  std::filesystem::create_symlink("victim", folder / "a.txt.part");
+  StreamedFile file(folder / "a.txt");
+  file.write("whole");
+  file.finish();
+  EXPECT_EQ(file_text(folder / "victim"), "mine");
+  EXPECT_EQ(file_text(folder / "a.txt"), "whole");
+}
+
 TEST(StreamedFile, NamesThePathThatCannotBeWritten) {
   const TempFolder folder;
   try {
