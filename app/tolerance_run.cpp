@@ -24,12 +24,12 @@ constexpr std::uint32_t kSampleStream = 0x701EB;  // of the photons of the sampl
 /// The state on the disk: saved when a while has passed that makes its cost small, and when asked to.
 class SavedState {
  public:
-  SavedState(std::filesystem::path file, std::string identity)
-      : file_(std::move(file)), identity_(std::move(identity)) {}
+  SavedState(const RunContext& context, std::string identity) : context_(context), identity_(std::move(identity)) {}
 
   void save(const design::ToleranceSamples& run) {
     const auto begin = Clock::now();
-    design::save_state(file_, tolerance_state(identity_, run));
+    context_.check_lock();
+    design::save_state(context_.checkpoint, tolerance_state(identity_, run));
     saved_ = Clock::now();
     cost_ = saved_ - begin;
   }
@@ -39,7 +39,7 @@ class SavedState {
   }
 
  private:
-  std::filesystem::path file_;
+  const RunContext& context_;
   std::string identity_;
   Clock::time_point saved_{};
   Clock::duration cost_{};
@@ -135,9 +135,9 @@ bool trace_nominal(const ToleranceJob& job, std::uint64_t photons, SampleTracer&
 
 std::optional<design::ToleranceSamples> run_tolerance(const ToleranceJob& job, const RunContext& context) {
   const design::ToleranceSpec& spec = job.nominal.tolerance;
-  const std::string identity = run_identity(job.nominal, 0);
+  const std::string identity = run_identity(job.nominal, context.work);
   design::ToleranceSamples run = earlier_samples(job, context, identity);
-  SavedState state(context.checkpoint, identity);
+  SavedState state(context, identity);
   const std::uint64_t reference = spec.reference > 0 ? spec.reference : job.nominal.trace.photons;
   const auto left = static_cast<std::uint64_t>(spec.samples) - run.samples.size();
   SampleTracer tracer(context, left * spec.photons + (run.reference.empty() ? reference : 0));
@@ -164,7 +164,7 @@ std::optional<design::ToleranceSamples> run_tolerance(const ToleranceJob& job, c
     if (number % tenth == 0) context.progress.line(told(run, spec.samples));
     state.save_in_time(run);
   }
-  if (run_identity(job.nominal, 0) != identity) throw changed_underway(job);
+  if (run_identity(job.nominal, context.work) != identity) throw changed_underway(job);
   state.save(run);
   return run;
 }

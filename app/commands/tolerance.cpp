@@ -17,6 +17,8 @@ namespace evenglow::app {
 namespace {
 
 /// One sample whole, as `evenglow simulate` shows a backlight.
+constexpr const char* kWork = "tolerance";
+
 int replay(const Session& session, const ToleranceJob& job, const std::filesystem::path& directory,
            Progress& progress) {
   const int number = *session.options.sample;
@@ -66,11 +68,12 @@ int tolerance_command(const Session& session) {
   const ToleranceJob job = read_tolerance_job(session.options);
   check_sample(job);
   const auto directory = output_directory(session.options, file);
-  const OutputLock lock = claim_directory(directory, {}, session.options);
+  agree_on_input(session.options, run_identity(job.nominal, kWork), session.stop);
+  const OutputLock lock = claim_directory(directory, {}, session.options, disk_bytes(job.nominal));
   Progress progress(session.options.quiet, session.options.json_progress);
   if (session.options.sample) return replay(session, job, directory, progress);
-  const RunContext context{session.options,           progress, session.stop,
-                           session.program_arguments, 0,        directory / kCheckpointName};
+  const RunContext context{
+      session.options, progress, session.stop, session.program_arguments, 0, directory / kCheckpointName, &lock, kWork};
   const auto samples = run_tolerance(job, context);
   if (!samples) {
     progress.line("interrupted: --resume goes on from the last whole sample");
@@ -78,7 +81,7 @@ int tolerance_command(const Session& session) {
   }
   const design::ToleranceSummary summary = summarize(job.nominal.tolerance, *samples);
   const ToleranceOutcome outcome{job, *samples, summary, session.program_arguments};
-  write_results(directory, [&] {
+  write_results(directory, lock, [&] {
     clear_results(directory);
     write_tolerance(outcome, directory);
   });
