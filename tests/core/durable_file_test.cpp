@@ -1,13 +1,13 @@
 #include "core/base/durable_file.h"
 
-#include <csignal>
-#include <fstream>
+#include <functional>
+#include <string>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <sys/resource.h>
 
 #include "core/base/error.h"
+#include "tests/support/full_disk.h"
 #include "tests/support/permissions.h"
 #include "tests/support/temp_folder.h"
 
@@ -15,27 +15,6 @@ namespace evenglow::core {
 namespace {
 
 using ::testing::HasSubstr;
-
-/// While it lives, files may not grow beyond so many bytes: to a writer, a full disk.
-class FullDisk {
- public:
-  explicit FullDisk(rlim_t bytes) {
-    ::getrlimit(RLIMIT_FSIZE, &before_);
-    old_ = std::signal(SIGXFSZ, SIG_IGN);
-    const rlimit limit{bytes, before_.rlim_max};
-    ::setrlimit(RLIMIT_FSIZE, &limit);
-  }
-  ~FullDisk() {
-    ::setrlimit(RLIMIT_FSIZE, &before_);
-    std::signal(SIGXFSZ, old_);
-  }
-  FullDisk(const FullDisk&) = delete;
-  FullDisk& operator=(const FullDisk&) = delete;
-
- private:
-  rlimit before_{};
-  void (*old_)(int) = SIG_DFL;
-};
 
 std::string message_of(const std::function<void()>& act) {
   try {
@@ -72,7 +51,7 @@ TEST(DurableFile, AFullDiskIsToldAndTheOldFilesStay) {
   write_durably_keeping(folder / "a", folder / "b", "two");
   const std::string large(100'000, 'x');
   {
-    const FullDisk full(50'000);
+    const tests::FullDisk full(50'000);
     const auto told = message_of([&] { write_durably_keeping(folder / "a", folder / "b", large); });
     EXPECT_THAT(told, HasSubstr("cannot write " + (folder / "a").string() + ": File too large"));
     EXPECT_THAT(message_of([&] { prove_writable(folder.path(), 100'000); }), HasSubstr("File too large"));

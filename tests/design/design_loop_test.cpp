@@ -155,6 +155,36 @@ std::vector<std::string> updater_names() {
 INSTANTIATE_TEST_SUITE_P(Updaters, DesignLoopOf, testing::ValuesIn(updater_names()),
                          [](const auto& name) { return name.param; });
 
+/// A state may come from anyone: lists of other lengths than an updater writes count as forgotten.
+TEST(DesignLoop, AMemoryOfOtherSizesIsForgotten) {
+  const tests::AnalyticBacklight model;
+  const std::vector<std::pair<std::string, std::vector<std::string>>> updaters = {
+      {"anderson", {"anderson.x", "anderson.f"}}, {"spline", {"spline.base"}}};
+  for (const auto& [updater, lists] : updaters) {
+    DesignSpec spec = spec_of(updater, 1e-6);
+    spec.level = 0.1;
+    const DesignLimits limits{200000, 16000000};
+    const auto after = [&](DesignProgress progress, int steps) {
+      int left = steps;
+      const ForwardModel some = [&](const auto& density, auto photons, auto step) {
+        return left-- <= 0 ? std::nullopt : model(density, photons, step);
+      };
+      return run_design(some, spec, limits, std::move(progress), [](const StepRecord&, const DesignProgress&) {});
+    };
+    const DesignProgress part = after(start_design(flat(model.grid, 0.1), spec, limits), 4);
+    ASSERT_EQ(part.steps.size(), 4U);
+    DesignProgress forged = part, forgotten = part;
+    for (const std::string& list : lists) {
+      ASSERT_FALSE(part.memory.at(list).empty());
+      forgotten.memory.erase(list);
+    }
+    std::vector<double>& longer = forged.memory[lists.front()];
+    longer.insert(longer.end(), part.density.cells.values.begin(), part.density.cells.values.end());
+    EXPECT_EQ(after(std::move(forged), 1).density.cells.values, after(std::move(forgotten), 1).density.cells.values)
+        << updater;
+  }
+}
+
 TEST(DesignLoop, RecordsTheNoiseAndWhatWasSpentOnTheLevel) {
   const tests::AnalyticBacklight model;
   const DesignProgress progress = designed(model, spec_of("ratio_noise_aware", 0.01));

@@ -4,6 +4,7 @@
 
 #include "core/base/error.h"
 #include "tests/design/report_samples.h"
+#include "tests/support/full_disk.h"
 
 namespace evenglow::design {
 namespace {
@@ -16,11 +17,12 @@ TEST(OutputFile, ReplacesTheWholeFile) {
 }
 
 TEST(OutputFile, FullDiskLeavesTheOldFileAsItWas) {
-  ASSERT_TRUE(std::filesystem::exists("/dev/full"));
   const samples::Folder folder("full");
   write_file(folder.path() / "a", "old");
-  std::filesystem::create_symlink("/dev/full", folder.path() / "a.part");
-  EXPECT_THROW(write_file(folder.path() / "a", "new"), core::Error);
+  {
+    const tests::FullDisk full(1000);
+    EXPECT_THROW(write_file(folder.path() / "a", std::string(5000, 'n')), core::Error);
+  }
   EXPECT_EQ(samples::content(folder.path() / "a"), "old");
 }
 
