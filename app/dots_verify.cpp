@@ -94,8 +94,10 @@ void DotProof::write(const design::Report& report, const design::VerifiedDots& v
   for (double& value : coverage.values) value = std::min(1.0, value * fill_);
   const design::CoverageMap map(std::move(coverage), free_);
   const auto directory = context.checkpoint.parent_path();
-  const DotsTold told = write_dots({input_, free_, &map, verified.placement, directory.string()}, directory / "dots",
-                                   context.progress, context.options.threads);
+  // Sizes that were corrected fill the cells of the display, not those of the density.
+  const bool resized = report.dots->chosen > 0 && input_.spec.mode != design::DotMode::spacing;
+  const DotsTold told = write_dots({input_, free_, resized ? nullptr : &map, verified.placement, directory.string()},
+                                   directory / "dots", context.progress, context.options.threads);
   for (const std::string& warning : told.warnings) context.progress.line("warning: " + warning);
 }
 

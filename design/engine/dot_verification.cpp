@@ -8,6 +8,7 @@
 
 #include <fmt/core.h>
 
+#include "design/dots/scaled_sizes.h"
 #include "design/engine/design_loop.h"
 #include "design/problem/regrid.h"
 #include "design/problem/target.h"
@@ -18,9 +19,11 @@
 namespace evenglow::design {
 namespace {
 
-constexpr double kGain = 0.05;      // a correction that gains less is the last one
-constexpr double kReserve = 0.999;  // of what the placement holds
-constexpr double kLeast = 1e-6;     // least density that a logarithm is taken of
+constexpr double kGain = 0.05;        // a correction that gains less is the last one
+constexpr double kReserve = 0.999;    // of what the placement holds
+constexpr double kLeast = 1e-6;       // least density that a logarithm is taken of
+constexpr double kMostScaling = 1.4;  // of a dot's area, in one pass
+constexpr int kSizePasses = 6;        // dots over borders of cells and dots at limits leave something to the next
 
 core::Estimate ratio_of(const core::Estimate& a, const core::Estimate& b) {
   if (!(a.value > 0.0 && b.value > 0.0)) return {0.0, 0.0};
@@ -100,8 +103,14 @@ class Verifier {
     core::CellField coverage = trial.density.cells;
     for (double& value : coverage.values) value = std::min(1.0, value * job_.fill);
     const CoverageMap map(std::move(coverage), job_.free);
-    trial.placement = place_dots(job_.dots, map, job_.threads);
-    trial.rounding = rounding_of(trial.placement, map);
+    if (seen_.empty() || job_.dots.mode == DotMode::spacing) {
+      trial.placement = place_dots(job_.dots, map, job_.threads);
+      trial.rounding = rounding_of(trial.placement, map);
+      first_ = trial.placement;
+    } else {
+      trial.placement = resized(map);
+      trial.rounding = regrid(misfit(trial.placement, map, seen_.back().on_display.grid), map.grid());
+    }
     auto seen = observe(trial.density, trial.placement, kVerifyingStep + static_cast<std::uint32_t>(number));
     if (!seen) return std::nullopt;
     trial.observation = std::move(*seen);
@@ -115,12 +124,43 @@ class Verifier {
   }
 
   core::CellField rounding_of(const Placement& placement, const CoverageMap& map) const {
-    core::CellField placed = grid_of(placement)->coverage(map.grid());
+    return misfit(placement, map, map.grid());
+  }
+
+  /// ln of the share of each cell of `cells` under dots over that wanted.
+  core::CellField misfit(const Placement& placement, const CoverageMap& map, const core::CellGrid& cells) const {
+    core::CellField wanted = map.coverage();
+    for (std::size_t i = 0; i < wanted.values.size(); ++i) wanted.values[i] *= map.free_share(i);
+    wanted = regrid(wanted, cells);
+    core::CellField placed = grid_of(placement)->coverage(cells);
     for (std::size_t i = 0; i < placed.values.size(); ++i) {
-      const double wanted = map.coverage().values[i] * map.free_share(i);
-      placed.values[i] = wanted > kLeast ? std::log(std::max(placed.values[i], 0.1 * wanted) / wanted) : 0.0;
+      const double want = wanted.values[i];
+      placed.values[i] = want > kLeast ? std::log(std::max(placed.values[i], 0.1 * want) / want) : 0.0;
     }
     return placed;
+  }
+
+  /// The dots of the first round with the sizes that bring what each cell of the display shows under dots to the
+  /// density wanted. The cells that were filled when the dots were placed are others, and in these a whole dot more or
+  /// less stays; beyond the display it is these that are filled.
+  Placement resized(const CoverageMap& map) const {
+    Placement result = first_;
+    const core::CellGrid& display = seen_.back().on_display.grid;
+    const double most = std::log(kMostScaling);
+    for (int pass = 0; pass < kSizePasses; ++pass) {
+      const core::CellField shown = misfit(result, map, display), hidden = misfit(result, map, map.grid());
+      const auto factor = [&](double x, double y) {
+        const int cell = display.index_at(x, y);
+        const double excess = cell >= 0 ? shown.values[static_cast<std::size_t>(cell)] : hidden.at(x, y);
+        return std::exp(std::clamp(-excess, -most, most));
+      };
+      result.dots = scaled_sizes(job_.dots, job_.free, map.grid(), result.dots, factor, job_.threads);
+    }
+    result.wanted_area = map.wanted_in_all();
+    result.area = 0.0;
+    for (const core::Dot& dot : result.dots)
+      result.area += core::footprint_area(job_.dots.footprint, 2.0 * static_cast<double>(dot.radius));
+    return result;
   }
 
   std::string stop_reason(const StepRecord& record, int number, double rms, double before) const {
@@ -192,6 +232,7 @@ class Verifier {
   core::Estimate model_luminance_;
   const VerificationHooks& hooks_;
   std::vector<Seen> seen_;
+  Placement first_;  ///< of the first round
 };
 
 }  // namespace

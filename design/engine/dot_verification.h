@@ -40,8 +40,11 @@ struct VerificationHooks {
 
 /// Places the dots of `designed`, traces them one by one, and corrects the density by the ratio of target and
 /// luminance, noise taken out as by the updater ratio_noise_aware, up to `verify_rounds` times: until the rule of
-/// `run_design` counts the dots as even enough, or a correction has gained less than 5 %. What a cell's whole number of
-/// dots adds or takes by rounding is left out of the correction: the next rounding will be another one. The most even
+/// `run_design` counts the dots as even enough, or a correction has gained less than 5 %. Dots of one size are placed
+/// anew for each density. Others stay where the first round has placed them and get the sizes with which each cell of
+/// the display holds under dots what the density says: a cell's part of the dots on its borders is chance of the
+/// places, which geometry tells without noise. What a cell's whole number of dots adds or takes by rounding is left out
+/// of the correction of the density: the next rounding will be another one. The most even
 /// round is judged by a trace of its own. `model_luminance`: mean luminance of the density model's judging trace.
 /// Empty: interrupted. Throws ConfigError if the dots cannot be placed.
 std::optional<VerifiedDots> verify_dots(const DotVerification& job, const tracer::DensityField& designed,
