@@ -100,6 +100,18 @@ TEST(DotVerification, SizesMakeUpForChanceOfThePlaces) {
   for (const DotsRound& round : judgment.rounds) EXPECT_EQ(round.dots, judgment.rounds[0].dots);
 }
 
+TEST(DotVerification, SizesOfALatticeAreCorrectedToo) {
+  Task task;
+  task.dots.mode = DotMode::lattice;
+  task.dots.diameter_min = 0.02;
+  const auto result = task.verified(task.designed());
+  ASSERT_TRUE(result);
+  const DotsJudgment& judgment = result->judgment;
+  EXPECT_GT(judgment.rounds[0].record.rms_corrected.value, 0.03);
+  EXPECT_LT(judgment.final.rms_corrected.value, 0.015);
+  EXPECT_EQ(judgment.rounds.back().dots, judgment.rounds[0].dots);
+}
+
 TEST(DotVerification, RoundsEndWhereTheRuleSays) {
   Task task;
   const tracer::DensityField density = task.designed();
