@@ -157,8 +157,8 @@ TEST(DotPath, NextEventAgreesWithCounting) {
 
 TEST(DotPathLong, NextEventAgreesWithCounting) {
   for (const Case& c : cases()) {
-    expect_estimators_agree(c, "20, 16", {20'000'000, 65, 200, 0}, 0.2, TracePath::kPlanar);
-    expect_estimators_agree(c, "20, 16", {6'000'000, 66, 200, 0}, 0.2, TracePath::kGeneral);
+    expect_estimators_agree(c, "64, 48", {20'000'000, 65, 200, 0}, 0.08, TracePath::kPlanar);
+    expect_estimators_agree(c, "64, 48", {20'000'000, 66, 200, 0}, 0.08, TracePath::kGeneral);
   }
 }
 
