@@ -1,7 +1,9 @@
 #include "app/tolerance_job.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <tuple>
 #include <utility>
 
 #include <fmt/format.h>
@@ -61,6 +63,8 @@ std::vector<double> list_at(const ConfigDocument& document, const std::string& p
     values.push_back(number_at(document, fmt::format("{}[{}]", path, i)).value_or(0.0));
   return values;
 }
+
+constexpr int kReadBefore = 50;  // samples, before the first photon
 
 ConfigDocument changed_document(const Options& options) {
   ConfigDocument document = ConfigDocument::load(options.files.front());
@@ -174,7 +178,16 @@ std::vector<ConfigDocument::Override> changes_of(const ToleranceJob& job, const 
 
 Run changed_run(const ToleranceJob& job, const design::SampleDraws& draws) {
   const ConfigDocument document = changed_document(job.options);
-  return read_point(job.file, {}, job.options, Purpose::kTrace, changes_of(job, draws, document));
+  Run run = read_point(job.file, {}, job.options, Purpose::kTrace, changes_of(job, draws, document));
+  const auto cells_of = [](const Run& one) {
+    const auto& pattern = one.backlight.microstructure;
+    return std::tuple(one.backlight.luminance.cells, pattern ? pattern->nx : 0, pattern ? pattern->ny : 0);
+  };
+  if (cells_of(run) != cells_of(job.nominal)) {
+    throw core::ConfigError(core::Fault{job.file.string(), 0, 0, "tolerance.variations",
+                                        "must leave the cells of display and density as they are, got a change"});
+  }
+  return run;
 }
 
 }  // namespace
@@ -206,6 +219,9 @@ ToleranceJob read_tolerance_job(const Options& options) {
   if (job.nominal.backlight.microstructure)
     job.dots = design::dot_model(job.density, job.nominal.backlight.microstructure->shape.fill, job.nominal.dots);
   for (const bool greatest : {false, true}) changed_run(job, design::extreme_sample(spec, job.values, greatest));
+  // Of several numbers each may be allowed, and some of them together not.
+  for (int number = 1; number <= std::min(spec.samples, kReadBefore); ++number)
+    changed_run(job, design::draw_sample(spec, job.values, number));
   return job;
 }
 

@@ -40,6 +40,9 @@ int replay(const Session& session, const ToleranceJob& job, const std::filesyste
 }
 
 void check_sample(const ToleranceJob& job) {
+  if (job.options.sample && job.options.resume) {
+    throw core::ConfigError(core::Fault{"--sample", 0, 0, "", "must not stand beside --resume: it replays one sample"});
+  }
   const int samples = job.nominal.tolerance.samples;
   if (!job.options.sample || *job.options.sample <= samples) return;
   throw core::ConfigError(

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <fmt/format.h>
+
 #include "design/tolerance/smooth_field.h"
 
 namespace evenglow::design {
@@ -115,7 +117,11 @@ SampleDots draw_dots(const ToleranceSpec& spec, const SampleDraws& draws, int sa
 std::vector<std::string> parameter_names(const ToleranceSpec& spec) {
   std::vector<std::string> names;
   for (const Variation& variation : spec.variations) {
-    const std::string title = title_of(variation);
+    std::string title = title_of(variation);
+    const auto same =
+        std::count_if(spec.variations.begin(), spec.variations.begin() + (&variation - spec.variations.data()),
+                      [&](const Variation& earlier) { return title_of(earlier) == title; });
+    if (same > 0) title += fmt::format(" #{}", same + 1);
     if (is_of_leds(variation.kind) || variation.kind == Kind::dot_region) {
       names.push_back(title + ", mean");
       names.push_back(title + ", spread");

@@ -79,17 +79,54 @@ void read_source(const ConfigNode& node, const tracer::BacklightSpec& backlight,
     node.fault(fmt::format("the factor on the flux must stay above 0, got one of {:.4g}", d.least(1.0)));
 }
 
+/// What gives a sample other cells, or a density that is replaced by that of the design.
+constexpr const char* kKeysOfGrids[] = {"backlight.size",
+                                        "backlight.light_guide_plate.length_mm",
+                                        "backlight.light_guide_plate.width_mm",
+                                        "backlight.microstructure.density",
+                                        "backlight.microstructure.density_file",
+                                        "backlight.microstructure.dots_file",
+                                        "backlight.microstructure.cells",
+                                        "backlight.microstructure.subcells",
+                                        "backlight.receivers"};
+
+bool is_below(const std::string& key, const std::string& parent) {
+  return key == parent || key.starts_with(parent + '.') || key.starts_with(parent + '[');
+}
+
 void read_key(const ConfigNode& node, Variation& variation) {
   variation.key = node.text({"key", "path of a number in the run file, as in --set", std::nullopt, 200});
   variation.relative = node.boolean({"relative", "the spread is a share of the key's value", false});
   if (variation.relative && (node.has("choices") || node.has("mean")))
     node.fault_at("relative", "belongs to normal and uniform about the value of the file");
-  if (node.has("key") && !core::parse_key_path(variation.key))
+  if (node.has("key") && !core::parse_key_path(variation.key)) {
     node.fault_at("key", "must be the path of a key, as backlight.films[0].haze, got " + variation.key);
-  for (const char* taken : {"tolerance", "trace", "evenglow", "variants", "sweep"}) {
-    if (variation.key == taken || variation.key.starts_with(std::string(taken) + ".") ||
-        variation.key.starts_with(std::string(taken) + "["))
-      node.fault_at("key", "must be a key of the backlight, got " + variation.key);
+  } else if (!variation.key.starts_with("backlight.")) {
+    node.fault_at("key", "must be a key of the backlight, got " + variation.key);
+  }
+  for (const char* grid : kKeysOfGrids) {
+    if (!is_below(variation.key, grid)) continue;
+    node.fault_at("key", fmt::format("must not be of {}, by which the samples would not have the cells and the density "
+                                     "of the nominal design, got {}",
+                                     grid, variation.key));
+  }
+}
+
+/// Two variations of one number would not add: the later would take its place.
+void check_once(const ConfigNode& node, const std::vector<Variation>& earlier, const Variation& variation) {
+  const auto is = [](const Variation& v, Kind kind) { return v.kind == kind; };
+  for (const Variation& other : earlier) {
+    const bool twice = is(variation, Kind::key) && is(other, Kind::key) && variation.key == other.key;
+    const auto taken_by = [&](const Variation& key, const Variation& kind) {
+      if (!is(key, Kind::key)) return false;
+      if (is(kind, Kind::film_angle)) return key.key == fmt::format("backlight.films[{}].axis_deg", kind.film);
+      if (is(kind, Kind::led_flux)) return key.key.find(".flux_factors") != std::string::npos;
+      const bool moved = is(kind, Kind::led_along) || is(kind, Kind::led_height);
+      return moved && key.key.find("offsets_mm") != std::string::npos;
+    };
+    if (twice || taken_by(variation, other) || taken_by(other, variation))
+      node.fault("must not vary what another variation varies, got " + title_of(variation) + " beside " +
+                 title_of(other));
   }
 }
 
@@ -174,8 +211,11 @@ ToleranceSpec read_tolerance(const ConfigNode& root, const tracer::BacklightSpec
     if (!backlight.microstructure) node.fault_at("result", "must not be given for a backlight without microstructure");
   }
   spec.limits = read_limits(node);
-  for (const ConfigNode& item : node.maps("variations", "what varies from sample to sample", 50))
-    spec.variations.push_back(read_variation(item, backlight));
+  for (const ConfigNode& item : node.maps("variations", "what varies from sample to sample", 50)) {
+    Variation variation = read_variation(item, backlight);
+    check_once(item, spec.variations, variation);
+    spec.variations.push_back(std::move(variation));
+  }
   return spec;
 }
 

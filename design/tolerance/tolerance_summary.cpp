@@ -37,6 +37,8 @@ FigureSummary summary_of(const ToleranceSpec& spec, const ToleranceSamples& run,
   const auto index = static_cast<int>(figure);
   if (index == figure_index("uniformity_9")) summary.shift = take_halves(run, &HalfTraces::nine, seen);
   if (index == figure_index("uniformity_13")) summary.shift = take_halves(run, &HalfTraces::thirteen, seen);
+  // One noise for all samples: what it shifts cannot be told from it.
+  if (spec.common_numbers) summary.shift = {};
   summary.population = population_of(seen, spec.common_numbers);
   summary.corrected = without_noise(seen, summary.population, summary.shift.value);
   std::vector<std::vector<double>> parameters;
@@ -70,7 +72,7 @@ ToleranceSummary summarize(const ToleranceSpec& spec, const ToleranceSamples& ru
   std::vector<double> deviations;
   for (const Limit& limit : spec.limits) {
     const auto f = static_cast<std::size_t>(figure_index(limit.figure));
-    limited.push_back({limit, seen_of(run, f), summary.figures[f].corrected});
+    limited.push_back({limit, seen_of(run, f), summary.figures[f].corrected, summary.figures[f].shift.value});
     for (core::Estimate& e : limited.back().seen) e.se = summary.figures[f].population.noise;
     deviations.push_back(summary.figures[f].population.seen);
     summary.yields.push_back(yield_of({limited.back()}));

@@ -28,11 +28,12 @@ Yield yield_of(const std::vector<LimitedFigure>& figures) {
     bool passes = true, corrected = true, sure_to_pass = true, sure_to_fail = false;
     for (const LimitedFigure& f : figures) {
       const core::Estimate& s = f.seen[i];
-      const bool low = keeps(f.limit, s.value - 2.0 * s.se), high = keeps(f.limit, s.value + 2.0 * s.se);
+      const double center = s.value - f.shift;
+      const bool low = keeps(f.limit, center - 2.0 * s.se), high = keeps(f.limit, center + 2.0 * s.se);
       passes = passes && keeps(f.limit, s.value);
       corrected = corrected && keeps(f.limit, f.corrected[i]);
       sure_to_pass = sure_to_pass && low && high;
-      sure_to_fail = sure_to_fail || (!low && !high && !keeps(f.limit, s.value));
+      sure_to_fail = sure_to_fail || (!low && !high && !keeps(f.limit, center));
     }
     yield.passed += passes ? 1 : 0;
     passed_corrected += corrected ? 1 : 0;

@@ -34,6 +34,7 @@ struct LimitedFigure {
   Limit limit;
   std::vector<core::Estimate> seen;
   std::vector<double> corrected;
+  double shift = 0.0;  ///< of the values by their noise, on average
 };
 
 /// The yield against all of these together; at least one, all of as many samples.

@@ -133,6 +133,10 @@ TEST_F(Tolerance, ASampleIsReplayedWhole) {
   const ProgramResult none = run({"-o", "none", "--sample", "13"});
   EXPECT_EQ(none.code, 2);
   EXPECT_THAT(none.err, HasSubstr("--sample: must lie in [0, 12]"));
+  const ProgramResult both = run({"-o", "out", "--sample", "3", "--resume"});
+  EXPECT_EQ(both.code, 2);
+  EXPECT_THAT(both.err, HasSubstr("--sample: must not stand beside --resume"));
+  EXPECT_TRUE(std::filesystem::exists(folder_ / "out/tolerance.json")) << "nothing is lost";
 }
 
 TEST_F(Tolerance, TheDensityOfADesignIsMade) {
@@ -162,6 +166,13 @@ TEST_F(Tolerance, WrongInputIsToldBeforeAPhoton) {
   EXPECT_THAT(fault("[{kind: led_along_mm, normal: 0.5}]"),
               HasSubstr("tolerance.variations[0]: backlight.sources[0].offsets_mm"));
   EXPECT_THAT(fault("[{kind: led_height_mm, normal: 0.1}]"), HasSubstr("height_offsets_mm"));
+  // Allowed at both ends (1 and 3 LEDs), not between them.
+  EXPECT_THAT(fault("[{kind: key, key: \"backlight.sources[0].count\", uniform: 1}, {kind: key, key: "
+                    "\"backlight.sources[0].pitch_mm\", choices: [3]}]"),
+              HasSubstr("a whole number"));
+  EXPECT_THAT(fault("[{kind: dot_growth_um, normal: 1}, {kind: led_flux, normal: 0.1}, {kind: key, key: "
+                    "\"backlight.microstructure.cells[0]\", choices: [4000]}]"),
+              HasSubstr("the samples would not have the cells"));
 }
 
 class ToleranceAfterSignal : public Tolerance, public ::testing::WithParamInterface<int> {};

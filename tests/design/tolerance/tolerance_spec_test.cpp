@@ -60,6 +60,26 @@ TEST(ToleranceSpec, IsRead) {
   EXPECT_TRUE(spec.variations[4].relative);
 }
 
+TEST(ToleranceSpec, KeysOfGridsAndOfOtherPartsAreRefused) {
+  for (const char* key : {"backlight.light_guide_plate.length_mm", "backlight.microstructure.density",
+                          "backlight.microstructure.cells[0]", "backlight.receivers[0].cells[0]", "design.stop_rms",
+                          "dots.diameter_um", "trace.photons", "output", "backlight.size.width_mm"}) {
+    EXPECT_THAT(variation_faults(std::string("{kind: key, key: \"") + key + "\", normal: 0.1, mean: 1}"), SizeIs(1))
+        << key;
+  }
+  EXPECT_THAT(variation_faults("{kind: key, key: backlight.light_guide_plate.thickness_mm, normal: 0.1}"), IsEmpty());
+}
+
+TEST(ToleranceSpec, ANumberVariesOnce) {
+  const std::string haze = "{kind: key, key: \"backlight.films[0].axis_deg\", choices: [10, 45]}";
+  EXPECT_THAT(variation_faults(haze + ", " + haze),
+              ElementsAre(HasSubstr("must not vary what another variation varies")));
+  EXPECT_THAT(variation_faults(haze + ", {kind: film_angle_deg, film: 0, normal: 1}"), SizeIs(1));
+  EXPECT_THAT(variation_faults("{kind: led_flux, normal: 0.1}, {kind: key, key: "
+                               "\"backlight.sources[0].flux_factors[0]\", choices: [1, 2]}"),
+              SizeIs(1));
+}
+
 TEST(ToleranceSpec, IsEmptyByDefault) {
   ToleranceSpec spec;
   EXPECT_THAT(faults("{}", &spec), IsEmpty());
@@ -98,7 +118,7 @@ TEST(ToleranceSpec, FaultsOfVariations) {
               ElementsAre(HasSubstr("must be a key of the backlight")));
   EXPECT_THAT(variation_faults("{kind: key, key: \"a[\", normal: 1}"),
               ElementsAre(HasSubstr("must be the path of a key")));
-  EXPECT_THAT(variation_faults("{kind: key, key: a.b, choices: [1, 2], relative: true}"),
+  EXPECT_THAT(variation_faults("{kind: key, key: backlight.b, choices: [1, 2], relative: true}"),
               ElementsAre(HasSubstr("relative")));
   // Cells of 2 mm x 1 mm: a quarter of the shorter side.
   EXPECT_THAT(variation_faults("{kind: dot_place_um, normal: 250}"), IsEmpty());

@@ -60,5 +60,20 @@ TEST(Yield, AllLimitsMustBeKept) {
   EXPECT_EQ(y.most, y.least);
 }
 
+/// Noise lowers a least over a greatest: what it takes is given back before the limit is looked at.
+TEST(Yield, NearALimitIsJudgedWithoutTheShiftOfTheNoise) {
+  LimitedFigure one;
+  one.limit.figure = "uniformity_9";
+  one.limit.min = 0.88;
+  one.seen = {{0.87, 0.005}, {0.86, 0.005}, {0.80, 0.005}};
+  one.corrected = {0.90, 0.89, 0.83};
+  one.shift = -0.03;
+  const Yield y = yield_of({one});
+  EXPECT_EQ(y.passed, 0);
+  EXPECT_NEAR(y.corrected.value, 2.0 / 3.0, 1e-12);
+  EXPECT_GE(y.most, y.corrected.value);
+  EXPECT_LE(y.least, y.corrected.value);
+}
+
 }  // namespace
 }  // namespace evenglow::design
