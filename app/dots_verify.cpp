@@ -1,11 +1,13 @@
 #include "app/dots_verify.h"
 
 #include <algorithm>
+#include <optional>
 
 #include <fmt/core.h>
 
 #include "app/dots_output.h"
 #include "core/base/error.h"
+#include "core/config/message_text.h"
 #include "design/report/number_format.h"
 #include "tracer/scene/dots_file.h"
 
@@ -40,10 +42,15 @@ void check_verify(const core::ConfigNode& root, const Run& run) {
                                           run.design.density_min, most));
   }
   const tracer::Box& area = run.backlight.area;
-  const design::FreeArea free({area.min.x(), area.max.x(), area.min.y(), area.max.y()}, run.dots.margins, {}, {});
-  if (!(free.bounds().x1 > free.bounds().x0 && free.bounds().y1 > free.bounds().y0))
-    root.map("dots", "how the density becomes real dots")
-        .fault_at("margins", "must leave a part of the plate, got none");
+  const design::FreeArea free({area.min.x(), area.max.x(), area.min.y(), area.max.y()}, run.dots.margins,
+                              run.dots.rectangles, run.dots.circles);
+  const core::ConfigNode dots = root.map("dots", "how the density becomes real dots");
+  if (!(free.bounds().x1 > free.bounds().x0 && free.bounds().y1 > free.bounds().y0)) {
+    dots.fault_at("margins", "must leave a part of the plate, got none");
+  } else if (free.free_share(core::CellGrid::over(64, 64, area.min.x(), area.min.y(), area.max.x(), area.max.y()))
+                 .max() <= 0.0) {
+    dots.fault_at("keep_out", "must leave a part of the plate, got none");
+  }
 }
 
 std::string keep_to_dots(Run& run) {
@@ -79,7 +86,15 @@ bool DotProof::add_to(design::Report& report, const design::ForwardModel& model,
                               round.record.step, round.dots, design::measured(round.record.rms_corrected, 100.0),
                               design::measured(round.over_density)));
   };
-  const auto verified = verify_dots(job, {report.density}, report.final.luminance_mean, hooks);
+  std::optional<design::VerifiedDots> verified;
+  try {
+    verified = verify_dots(job, {report.density}, report.final.luminance_mean, hooks);
+  } catch (const core::ConfigError& error) {  // what the dots cannot be is seen when they are placed: the design stays
+    const std::string reason = "The dots were not verified: " + core::one_line(error.faults().front().to_string());
+    report.notes.push_back(reason);
+    progress.line(label_ + reason);
+    return true;
+  }
   if (!verified) return false;
   report.dots = verified->judgment;
   progress.line(label_ + "dots: " + verified->judgment.stop_reason);

@@ -10,6 +10,7 @@
 
 #include "design/dots/scaled_sizes.h"
 #include "design/engine/design_loop.h"
+#include "design/engine/stop_rule.h"
 #include "design/problem/regrid.h"
 #include "design/problem/target.h"
 #include "design/updaters/log_step.h"
@@ -76,6 +77,7 @@ class Verifier {
     const auto seen = observe({judgment.density}, result.placement, kVerifiedStep);
     if (!seen) return std::nullopt;
     judgment.final = make_judgment(*seen, job_.spec);
+    judgment.stop_reason = confirmed_reason(judgment.stop_reason, judgment.final, job_.spec.stop_rms);
     judgment.over_density = ratio_of(judgment.final.luminance_mean, model_luminance_);
     judgment.luminance = seen->map.luminance;
     judgment.luminance_se = seen->map.standard_error;

@@ -61,6 +61,23 @@ TEST_F(DotsVerify, SameBitsOnAnyNumberOfThreads) {
   EXPECT_EQ(places, file_text(folder_ / "d/dots/dots.csv"));
 }
 
+/// What is seen only when the dots are placed costs the proof, not the design.
+TEST_F(DotsVerify, DotsThatCannotBePlacedLeaveTheDesign) {
+  const auto result = design({"--set", "dots.diameter_um=1", "--set", "dots.gap_um=0.1", "--set", "design.level=0.3"});
+  EXPECT_EQ(result.code, 0) << result.err;
+  const auto json = json_of(folder_ / "d/result.json");
+  EXPECT_FALSE(json.contains("dots"));
+  EXPECT_THAT(json["notes"].back().get<std::string>(),
+              AllOf(HasSubstr("The dots were not verified"), HasSubstr("50 million dots")));
+}
+
+TEST_F(DotsVerify, ZonesThatLeaveNothingAreToldBeforeAnyPhoton) {
+  const auto result = design({"--set", "dots.keep_out=[{kind: rectangle, x_mm: [0, 20], y_mm: [0, 10]}]"});
+  EXPECT_EQ(result.code, 2);
+  EXPECT_THAT(result.err, HasSubstr("keep_out: must leave a part of the plate"));
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "d"));
+}
+
 TEST_F(DotsVerify, WrongInputIsOneLineBeforeAnyPhoton) {
   const auto expect_fault = [&](const std::vector<std::string>& more, const std::string& text) {
     const auto result = design(more);
