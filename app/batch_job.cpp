@@ -195,7 +195,8 @@ std::string BatchJob::single_command(const BatchRow& row) const {
   Options options = session_.options;
   options.files = {row.file};
   std::vector<std::string> changes;
-  for (const auto& [key, value] : row.changes) changes.push_back(key + "=" + value);
+  changes.reserve(row.changes.size());
+  for (const auto& [key, value] : row.changes) changes.push_back(fmt::format("{}={}", key, value));
   options.set.insert(options.set.begin(), changes.begin(), changes.end());
   return repeating_command(session_.options.simulate ? "simulate" : "design", options);
 }

@@ -28,6 +28,7 @@ void tell_faults(const std::vector<PlannedRun>& plan, bool json) {
 void check_places(const std::filesystem::path& directory, const std::vector<PlannedRun>& plan, const Options& options) {
   if (options.resume) return;
   std::vector<std::string> places;
+  places.reserve(plan.size());
   for (const PlannedRun& run : plan) places.push_back(run.name);
   check_free(directory, places, options);
 }

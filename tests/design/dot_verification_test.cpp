@@ -71,7 +71,7 @@ TEST(DotVerification, CorrectsWhatTheDotsDoOtherwise) {
   ASSERT_TRUE(result);
   const DotsJudgment& judgment = result->judgment;
   EXPECT_GT(judgment.rounds[0].record.rms_corrected.value, 0.03);
-  EXPECT_LT(judgment.final.rms_corrected.value, 0.022);
+  EXPECT_LT(judgment.final.rms_corrected.value, 0.015);
   EXPECT_GE(judgment.chosen, 1U);
   EXPECT_EQ(judgment.rounds[judgment.chosen].dots, result->placement.dots.size());
   EXPECT_FALSE(judgment.stop_reason.empty());
@@ -130,7 +130,7 @@ TEST(DotVerification, RoundsEndWhereTheRuleSays) {
   const auto until_no_gain = task.verified(density);
   EXPECT_LT(until_no_gain->judgment.rounds.size(), 11U);
   EXPECT_NE(until_no_gain->judgment.stop_reason.find("no gain"), std::string::npos);
-  EXPECT_LT(until_no_gain->judgment.final.rms_corrected.value, 0.022);
+  EXPECT_LT(until_no_gain->judgment.final.rms_corrected.value, 0.015);
 }
 
 /// A margin takes dots from the cells beside it; their density makes up for it.
