@@ -69,6 +69,7 @@ int compare_command(const Session& session) {
   Progress progress(session.options.quiet, session.options.json_progress);
   std::vector<design::Report> reports;
   std::vector<OutputLock> locks;  // of the variants: their folders may be named as directories of other runs
+  locks.reserve(places.size());
   for (const std::string& name : places) locks.emplace_back(make_subdirectory(directory, name));
   for (std::size_t i = 0; i < runs.size(); ++i) {
     const auto place = directory / places[i];

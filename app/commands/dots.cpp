@@ -32,6 +32,13 @@ int finish(const DotsOutput& output, const fs::path& directory, Progress& progre
   return kDone;
 }
 
+/// `[a, b]` of what may be written without brackets; of one number, `[a]`, or `[a, a]` if it stands for both axes.
+std::string as_list(const std::string& value, bool for_both_axes) {
+  if (value.starts_with("[")) return value;
+  const bool one = value.find(',') == std::string::npos;
+  return one && for_both_axes ? fmt::format("[{},{}]", value, value) : fmt::format("[{}]", value);
+}
+
 }  // namespace
 
 void DotsCommand::add_key(CLI::App& command, const char* key, const char* help, const char* type) {
@@ -97,9 +104,7 @@ DotsOverrides DotsCommand::overrides() const {
       for (const char* side : {"left", "right", "front", "back"})
         changes.push_back({std::string("dots.margins.") + side + "_mm", value, origin});
     } else if (key == "panel_pitch_um" || key == "diameters_um") {
-      const bool pair = value.find(',') != std::string::npos || value.starts_with("[");
-      const std::string list = pair ? value : key == "panel_pitch_um" ? value + "," + value : value;
-      changes.push_back({"dots." + key, list.starts_with("[") ? list : fmt::format("[{}]", list), origin});
+      changes.push_back({"dots." + key, as_list(value, key == "panel_pitch_um"), origin});
     } else {
       changes.push_back({"dots." + key, value, origin});
     }

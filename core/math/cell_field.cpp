@@ -113,7 +113,7 @@ CellField smooth_gaussian(const CellField& field, double sigma_x, double sigma_y
   if (sigma_x > 0.0) {
     const std::vector<double> kernel = gaussian_kernel(sigma_x);
     for (int iy = 0; iy < ny; ++iy) {
-      convolve_line(field.values.data() + iy * nx, rows.values.data() + iy * nx, nx, 1, kernel);
+      convolve_line(&field.values[cell_index(nx, 0, iy)], &rows.values[cell_index(nx, 0, iy)], nx, 1, kernel);
     }
   }
   if (sigma_y <= 0.0) return rows;

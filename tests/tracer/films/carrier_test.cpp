@@ -40,7 +40,7 @@ TEST(Carrier, LargeSpreadTakesUAndV) {
 /// The default carrier depolarizes light at 45 degrees to a few percent.
 TEST(Carrier, DefaultDepolarizes) {
   const Film film = film_from("{kind: carrier, faces: coated}");
-  const auto out = film.surface->specular(travel(0, 0)).transmission * Eigen::Vector4d(1, 0, 1, 0);
+  const Eigen::Vector4d out = film.surface->specular(travel(0, 0)).transmission * Eigen::Vector4d(1, 0, 1, 0);
   const double phase = 2 * core::kPi / 550;
   const double variance = phase * phase * (100.0 * 100.0 + std::pow(4000.0 * 20.0 / 550.0, 2));
   const double left = std::exp(-0.5 * variance);
