@@ -44,7 +44,7 @@ design::DesignProgress begin_design(const Run& run, const design::DesignLimits& 
       return std::move(*saved);
     }
   }
-  design::remove_state(context.checkpoint);  // of a run that is begun anew
+  remove_point_checkpoints(context.checkpoint);  // of a run that is begun anew
   return design::start_design(design::first_density(run.backlight, run.design), run.design, limits);
 }
 

@@ -6,6 +6,7 @@
 #include <fmt/core.h>
 
 #include "app/batch_earlier.h"
+#include "app/front_run.h"
 #include "app/output_directory.h"
 #include "app/repeating_command.h"
 #include "core/base/error.h"
@@ -129,7 +130,7 @@ bool BatchJob::trace(Run run, BatchRow& row) {
     design::write_report(*report, formats, place);
     design::write_thumbnail(report->luminance, place / kThumbnail);
   });
-  design::remove_state(context.checkpoint);
+  remove_point_checkpoints(context.checkpoint);
   row.status = BatchStatus::kDone;
   row.message = report->stop_reason;
   row.final = report->final;
@@ -222,7 +223,7 @@ int BatchJob::verdict() const {
   }
   fmt::print("{} of {} runs done\n", done, table_.rows.size());
   if (!table_.left_over.empty()) fmt::print("{}\n", design::left_over_text(table_));
-  fmt::print("files: {}\n", directory_.string());
+  fmt::print("files: {}\n", core::one_line(directory_.string()));
   return done == table_.rows.size() ? kDone : kFailed;
 }
 

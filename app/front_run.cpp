@@ -77,6 +77,7 @@ std::filesystem::path point_checkpoint(const std::filesystem::path& first, int p
 }
 
 void remove_point_checkpoints(const std::filesystem::path& first) {
+  if (first.empty()) return;
   std::error_code ignored;
   for (int i = 1; std::filesystem::exists(point_checkpoint(first, i), ignored) ||
                   std::filesystem::exists(design::previous_state(point_checkpoint(first, i)), ignored);
@@ -88,6 +89,7 @@ void remove_point_checkpoints(const std::filesystem::path& first) {
 
 std::optional<Report> run_efficiency_job(Run run, const RunContext& context) {
   const Stopwatch watch;
+  if (!context.options.resume) remove_point_checkpoints(context.checkpoint);  // also those that this one may not reach
   Report report = describe_run(run, context);
   design::DesignSpec spec = run.design;
   spec.stop_rms = spec.goal.rms;
@@ -142,8 +144,6 @@ std::optional<Report> run_efficiency_job(Run run, const RunContext& context) {
   }
   tell_color(spec, report);
   finish_timing(watch, report);
-  for (int i = 1; i < static_cast<int>(search->points.size()); ++i)
-    design::remove_state(point_checkpoint(context.checkpoint, i));
   return report;
 }
 

@@ -242,6 +242,10 @@ int run_told(int argc, char** argv, evenglow::core::RankGroup& ranks, std::strin
     for (const auto& fault : error.faults()) evenglow::app::tell("fault", fault.to_string(), json);
     failure = error.what();
     return evenglow::app::kWrongInput;
+  } catch (const std::bad_alloc&) {
+    failure = "not enough memory: fewer cells, a smaller trace.batches or fewer threads take less";
+    evenglow::app::tell("failure", "evenglow: " + failure, json);
+    return evenglow::app::kFailed;
   } catch (const std::exception& error) {
     evenglow::app::tell("failure", std::string("evenglow: ") + error.what(), json);
     failure = error.what();

@@ -6,6 +6,8 @@
 #include <nlohmann/json.hpp>
 #include <unistd.h>
 
+#include "core/config/message_text.h"
+
 namespace evenglow::app {
 namespace {
 
@@ -90,7 +92,8 @@ void Progress::write(const std::string& text) {
 void Progress::line(const std::string& text) {
   if (quiet_) return;
   const std::lock_guard lock(mutex_);
-  write(json_ ? text_of({{"event", "line"}, {"text", prefix_ + text}}) : prefix_ + text);
+  // Some of it may come from a file of a stranger (a state): no line of it acts on the terminal.
+  write(json_ ? text_of({{"event", "line"}, {"text", prefix_ + text}}) : core::one_line(prefix_ + text));
 }
 
 void Progress::step(const std::string& label, const design::StepRecord& r) {
@@ -113,7 +116,7 @@ void Progress::step(const std::string& label, const design::StepRecord& r) {
 }
 
 void tell(const std::string& event, const std::string& text, bool json) {
-  to_stderr((json ? text_of({{"event", event}, {"text", text}}) : text) + "\n");
+  to_stderr((json ? text_of({{"event", event}, {"text", text}}) : core::one_line(text)) + "\n");
 }
 
 std::string describe(const design::StepRecord& r) {

@@ -22,7 +22,7 @@ std::string spot_ratio(double ratio, double error) {
 void print_result(const design::Report& report, const std::filesystem::path& directory) {
   const design::FinalJudgment& f = report.final;
   fmt::print("{}{}\n", core::one_line(report.title), report.variant.empty() ? "" : " (" + report.variant + ")");
-  fmt::print("  stop                 {}\n", report.stop_reason);
+  fmt::print("  stop                 {}\n", core::one_line(report.stop_reason));
   const std::string why_none = f.luminance_mean.value <= 0.0         ? "no light in the viewing cone"
                                : report.luminance.values.size() == 1 ? "at least two cells are needed"
                                                                      : "";
@@ -60,7 +60,7 @@ void print_result(const design::Report& report, const std::filesystem::path& dir
   }
   fmt::print("  photons, time        {:.3g} in the final trace, {:.1f} s in all\n", static_cast<double>(f.photons),
              report.timing.wall_s);
-  fmt::print("  files                {}\n", directory.string());
+  fmt::print("  files                {}\n", core::one_line(directory.string()));
 }
 
 }  // namespace evenglow::app

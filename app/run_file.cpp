@@ -55,6 +55,21 @@ void check_path(const ConfigDocument& document, const Run& run) {
   document.finish();
 }
 
+/// Each batch of a trace holds the display's cells (three numbers with color, for each view), until all are added.
+void check_memory(const core::ConfigNode& root, const Run& run) {
+  constexpr std::size_t kMostNumbers = 400'000'000;  // 3.2 GB
+  const tracer::BacklightSpec& backlight = run.backlight;
+  const std::size_t numbers = backlight.luminance.cells.size() *
+                              std::max<std::size_t>(1, backlight.luminance.views.size()) * (backlight.color ? 3 : 1);
+  if (numbers == 0 || run.trace.batches <= kMostNumbers / numbers) return;
+  root.map("trace", "how it is traced")
+      .fault_at("batches",
+                fmt::format("must be at most {} where the display has {} x {} cells (each batch holds {} numbers of "
+                            "them; {} in all fit in 3.2 GB), got {}; or take fewer cells",
+                            kMostNumbers / numbers, backlight.luminance.cells.nx, backlight.luminance.cells.ny, numbers,
+                            kMostNumbers, run.trace.batches));
+}
+
 /// What only the whole run tells of the design.
 void check_design(const core::ConfigNode& root, const Run& run) {
   const core::ConfigNode design = root.map("design", "how it is designed");
@@ -106,6 +121,7 @@ Run read_keys(const ConfigDocument& document, Purpose purpose) {
                   "must be left out for a design, which changes densities, not dots (simulate traces them)");
   }
   run.trace = tracer::read_trace(root.map("trace", "how it is traced"));
+  check_memory(root, run);
   run.design = design::read_design(root.map("design", "how it is designed"));
   check_design(root, run);
   run.outer = design::read_outer(root);

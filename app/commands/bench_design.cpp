@@ -13,6 +13,7 @@
 #include "app/output_directory.h"
 #include "app/repeating_command.h"
 #include "core/base/error.h"
+#include "core/config/message_text.h"
 #include "design/engine/design_start.h"
 #include "design/updaters/updater.h"
 
@@ -177,7 +178,7 @@ int BenchDesignCommand::run(const Session& session) {
   clear_results(directory);
   const design::Study study = bench_study(facts, cases);
   write_bench(study, facts, cases, directory);
-  fmt::print("{}files: {}\n", design::study_text(study), directory.string());
+  fmt::print("{}files: {}\n", design::study_text(study), core::one_line(directory.string()));
   return kDone;
 }
 

@@ -5,9 +5,10 @@
 
 #include "app/backlight_run.h"
 #include "app/commands/commands.h"
+#include "app/front_run.h"
 #include "app/output_directory.h"
 #include "app/result_text.h"
-#include "design/engine/state_file.h"
+#include "core/config/message_text.h"
 #include "design/report/writer_registry.h"
 
 namespace evenglow::app {
@@ -95,9 +96,9 @@ int compare_command(const Session& session) {
     design::write_report(comparison, formats, directory);
   });
   for (const design::Report& report : comparison.variants)
-    design::remove_state(directory / report.variant / kCheckpointName);
+    remove_point_checkpoints(directory / report.variant / kCheckpointName);
   print_ratios(comparison);
-  fmt::print("files: {}\n", directory.string());
+  fmt::print("files: {}\n", core::one_line(directory.string()));
   return kDone;
 }
 

@@ -1,8 +1,8 @@
 #include "app/backlight_run.h"
 #include "app/commands/commands.h"
+#include "app/front_run.h"
 #include "app/output_directory.h"
 #include "app/result_text.h"
-#include "design/engine/state_file.h"
 #include "design/report/writer_registry.h"
 
 namespace evenglow::app {
@@ -26,7 +26,7 @@ int design_command(const Session& session) {
     clear_results(directory);
     design::write_report(*report, formats, directory);
   });
-  design::remove_state(context.checkpoint);
+  remove_point_checkpoints(context.checkpoint);
   print_result(*report, directory);
   return kDone;
 }

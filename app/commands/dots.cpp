@@ -28,7 +28,7 @@ int finish(const DotsOutput& output, const fs::path& directory, Progress& progre
   const DotsTold told = write_dots(output, directory, progress, threads);
   for (const std::string& remark : output.input.remarks) fmt::print(stderr, "note: {}\n", remark);
   for (const std::string& warning : told.warnings) fmt::print(stderr, "warning: {}\n", warning);
-  fmt::print("{}  files                {}\n", told.table, directory.string());
+  fmt::print("{}  files                {}\n", told.table, core::one_line(directory.string()));
   return kDone;
 }
 

@@ -171,7 +171,7 @@ int optimize_command(const Session& session) {
   });
   design::remove_state(state);
   fmt::print("{}\n{}{}\nfiles: {}\n", core::one_line(study.title), design::study_text(study), study.notes.front(),
-             directory.string());
+             core::one_line(directory.string()));
   return kDone;
 }
 

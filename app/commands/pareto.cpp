@@ -47,7 +47,8 @@ int pareto_command(const Session& session) {
     write_front(study, run, *points, directory);
   });
   remove_point_checkpoints(context.checkpoint);
-  fmt::print("{}\n{}files: {}\n", core::one_line(study.title), design::study_text(study), directory.string());
+  fmt::print("{}\n{}files: {}\n", core::one_line(study.title), design::study_text(study),
+             core::one_line(directory.string()));
   return kDone;
 }
 

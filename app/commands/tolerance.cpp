@@ -10,6 +10,7 @@
 #include "app/tolerance_report.h"
 #include "app/tolerance_run.h"
 #include "core/base/error.h"
+#include "core/config/message_text.h"
 #include "design/engine/state_file.h"
 #include "design/report/writer_registry.h"
 
@@ -61,7 +62,7 @@ void print(const ToleranceOutcome& outcome, const std::filesystem::path& directo
     worst += (i == 0 ? "" : ", ") + std::to_string(outcome.summary.worst[i]);
   fmt::print("{}\n{}", study.title, design::study_text(study));
   if (!yields.rows.empty()) fmt::print("{}", design::study_text(yields));
-  fmt::print("worst samples: {} (--sample N shows one whole)\nfiles: {}\n", worst, directory.string());
+  fmt::print("worst samples: {} (--sample N shows one whole)\nfiles: {}\n", worst, core::one_line(directory.string()));
 }
 
 }  // namespace

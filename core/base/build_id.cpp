@@ -48,6 +48,8 @@ int look(dl_phdr_info* object, std::size_t, void* found) {
   for (int i = 0; i < object->dlpi_phnum; ++i) {
     const ElfW(Phdr)& part = object->dlpi_phdr[i];
     if (part.p_type != PT_NOTE) continue;
+    // The system tells places in memory as numbers.
+    // NOLINTNEXTLINE(performance-no-int-to-ptr)
     const auto* begin = reinterpret_cast<const char*>(object->dlpi_addr + part.p_vaddr);
     std::string id = id_among({begin, part.p_memsz}, part.p_align == 8 ? 8 : 4);
     if (id.empty()) continue;

@@ -29,8 +29,7 @@ ConfigError::ConfigError(Fault fault) : ConfigError(std::vector<Fault>{std::move
 
 ConfigError::ConfigError(std::vector<Fault> faults) : Error(joined(faults)), faults_(std::move(faults)) {}
 
-void expects(bool condition, std::string_view promise, std::source_location where) {
-  if (condition) return;
+void broken_promise(std::string_view promise, const std::source_location& where) {
   throw Error(std::string(where.file_name()) + ':' + std::to_string(where.line()) +
               ": broken promise: " + std::string(promise));
 }

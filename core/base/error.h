@@ -37,7 +37,13 @@ class ConfigError : public Error {
   std::vector<Fault> faults_;
 };
 
+/// Throws `Error` with the place.
+[[noreturn]] void broken_promise(std::string_view promise, const std::source_location& where);
+
 /// A promise between rooms: throws `Error` with the place of the call when `condition` is false.
-void expects(bool condition, std::string_view promise, std::source_location where = std::source_location::current());
+inline void expects(bool condition, std::string_view promise,
+                    std::source_location where = std::source_location::current()) {
+  if (!condition) broken_promise(promise, where);
+}
 
 }  // namespace evenglow::core

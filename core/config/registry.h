@@ -29,6 +29,7 @@ class Registry {
 
   std::vector<std::string> names() const {
     std::vector<std::string> result;
+    result.reserve(entries_.size());
     for (const Entry& entry : entries_) result.push_back(entry.name);
     return result;
   }

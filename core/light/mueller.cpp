@@ -69,8 +69,8 @@ double least_coherency_eigenvalue(const MuellerMatrix& M) {
   for (int a = 0; a < 4; ++a) {
     for (int b = 0; b < 4; ++b) {
       const Matrix2 right = sigma[b].conjugate();
-      for (int r = 0; r < 2; ++r) {
-        for (int c = 0; c < 2; ++c) H.block<2, 2>(2 * r, 2 * c) += 0.25 * M(a, b) * sigma[a](r, c) * right;
+      for (Eigen::Index r = 0; r < 2; ++r) {
+        for (Eigen::Index c = 0; c < 2; ++c) H.block<2, 2>(2 * r, 2 * c) += 0.25 * M(a, b) * sigma[a](r, c) * right;
       }
     }
   }

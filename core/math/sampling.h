@@ -14,7 +14,8 @@ struct TurnCosSin {
   double cos = 1.0, sin = 0.0;
 
   explicit TurnCosSin(double turn) {
-    const int quarter = static_cast<int>(4.0 * turn + 0.5);
+    // Not negative, and any of two quarters does halfway; lround would be a call in every walk of a photon.
+    const int quarter = static_cast<int>(4.0 * turn + 0.5);  // NOLINT(bugprone-incorrect-roundings)
     const double a = (turn - 0.25 * quarter) * (2.0 * kPi);  // within pi / 4; the difference is exact
     const double a2 = a * a;
     const double c =

@@ -8,6 +8,7 @@
 
 #include "core/base/error.h"
 #include "core/config/json_depth.h"
+#include "core/config/message_text.h"
 #include "design/engine/state_file.h"
 
 namespace evenglow::design {
@@ -105,6 +106,19 @@ bool all_within(const std::vector<double>& values, double least, double largest)
   return std::all_of(values.begin(), values.end(), [&](double value) { return value >= least && value <= largest; });
 }
 
+/// Texts are shown to the user: one line each, without control characters.
+void require_lines(const DesignProgress& progress) {
+  const auto good = [](const std::string& text) { return core::one_line(text) == text; };
+  const auto all_good = [&](const std::vector<std::string>& texts) {
+    return std::all_of(texts.begin(), texts.end(), good);
+  };
+  require(good(progress.stop_reason) && good(progress.level_note) && all_good(progress.limit_notes) &&
+              all_good(progress.notes) &&
+              std::all_of(progress.steps.begin(), progress.steps.end(),
+                          [&](const StepRecord& step) { return good(step.updater); }),
+          "a text of it holds control characters");
+}
+
 /// What no design writes. (JSON knows neither infinity nor what is no number.)
 void check(const DesignProgress& progress) {
   require(!progress.steps.empty(), "it holds no step");
@@ -118,6 +132,7 @@ void check(const DesignProgress& progress) {
       "its density leaves [0, 1]");
   require(all_within(progress.start_luminance.values, 0.0, std::numeric_limits<double>::max()),
           "its luminance is negative");
+  require_lines(progress);
 }
 
 DesignProgress progress_from(const json& node) {

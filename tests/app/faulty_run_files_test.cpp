@@ -43,6 +43,7 @@ const FaultyFile kFiles[] = {
     {"backlight_empty", ":2:1: backlight: must be a map, got nothing"},
     {"backlight_list", ":2:12: backlight: must be a map, got a list"},
     {"backlight_missing", ":1:1: backlight: must be given"},
+    {"batches_beyond_memory", ":8:32: trace.batches: must be at most 400 where the display has 1000 x 1000 cells"},
     {"batches_one", ":7:32: trace.batches: must lie in [10, 1000], got 1"},
     {"binary", ":1:1: must be UTF-8 text, got the byte 0x89"},
     {"bilinear_with_gradient", ":8:19: design.updater: must be another one where the density is bilinear within a cell, got gradient"},

@@ -41,6 +41,38 @@ TEST_F(Studies, ParetoKeepsEachPoint) {
   EXPECT_EQ(run({"pareto", "tiny.yaml", "-o", "front"}).code, 2) << "another result is not replaced unasked";
 }
 
+/// The goal max_efficiency keeps a state for each point: all of them stay until the results are there, and none stays
+/// of a run that was begun anew.
+TEST_F(Studies, StatesOfPointsStayUntilResultsAreThere) {
+  const std::vector<std::string> command = {
+      "design", "tiny.yaml", "-o", "best", "--set", "design.goal=max_efficiency", "--set", "design.subject_to.rms=0.2"};
+  const auto with = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), command.begin(), command.end());
+    return run(more);
+  };
+  // A folder in the way of a result: the designs were made, writing them fails.
+  std::filesystem::create_directories(folder_ / "best" / "report.html" / "full");
+  const ProgramResult failed = with({"--overwrite"});
+  ASSERT_EQ(failed.code, 1) << failed.err;
+  EXPECT_THAT(failed.err, HasSubstr("the state is kept"));
+  ASSERT_TRUE(std::filesystem::exists(folder_ / "best" / "checkpoint_1.json"));
+  std::filesystem::remove_all(folder_ / "best" / "report.html");
+  const std::string second = file_text(folder_ / "best" / "checkpoint_1.json");
+  const ProgramResult again = with({"--resume"});
+  ASSERT_EQ(again.code, 0) << again.err;
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "best" / "checkpoint_1.json"));
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "best" / "checkpoint.json"));
+  // States that an earlier run left, of more points than this one reaches, which is stopped before its end.
+  constexpr int kMany = 30;
+  const auto state = [&](int point) { return folder_ / "best" / ("checkpoint_" + std::to_string(point) + ".json"); };
+  for (int point = 1; point <= kMany; ++point) write_text(state(point), second);
+  std::filesystem::remove(folder_ / "best" / "report.html");
+  std::filesystem::create_directories(folder_ / "best" / "report.html" / "full");
+  ASSERT_EQ(with({"--overwrite", "--seed", "7"}).code, 1);
+  EXPECT_TRUE(std::filesystem::exists(state(1)));
+  EXPECT_FALSE(std::filesystem::exists(state(kMany)));
+}
+
 TEST_F(Studies, BenchDesignComparesUpdaters) {
   const ProgramResult result =
       run({"bench-design", "tiny.yaml", "-o", "bench", "--seeds", "2", "--updaters", "ratio,auto", "--photons", "2e4"});

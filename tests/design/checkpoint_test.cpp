@@ -80,6 +80,17 @@ TEST_F(Checkpoint, OfNumbersThatNoDesignWritesIsRefused) {
   EXPECT_THAT(after([](Json& s) { s["best_rms"] = nullptr; }), HasSubstr("cannot be used"));
 }
 
+/// Its texts are printed: one that a stranger made could act on the terminal.
+TEST_F(Checkpoint, OfTextsThatActOnATerminalIsRefused) {
+  const std::string escape = "gone\x1b[31m";
+  EXPECT_THAT(after([&](Json& s) { s["stop_reason"] = escape; }), HasSubstr("a text of it holds control characters"));
+  EXPECT_THAT(after([&](Json& s) { s["level_note"] = "one\ntwo"; }), HasSubstr("control characters"));
+  EXPECT_THAT(after([&](Json& s) { s["notes"] = {escape}; }), HasSubstr("control characters"));
+  EXPECT_THAT(after([&](Json& s) { s["limit_notes"] = {"good", escape}; }), HasSubstr("control characters"));
+  EXPECT_THAT(after([&](Json& s) { s["steps"][1]["updater"] = escape; }), HasSubstr("control characters"));
+  EXPECT_EQ(after([&](Json& s) { s["stop_reason"] = "max_efficiency: \u00b5 is fine"; }), "");
+}
+
 TEST_F(Checkpoint, OfDeepNestingIsRefused) {
   std::string deep = R"({"format":)" + std::string(100000, '[') + std::string(100000, ']') + "}";
   tests::write_text(file_, sealed_state(deep));

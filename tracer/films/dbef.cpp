@@ -192,9 +192,9 @@ StokesVector TabulatedDbef::pulled_back(const StokesVector& importance, const Ve
   const StokesVector w = importance.in_frame(out.e1());
   const AxisAngle pass = pass_axis(out.cos_psi(axis_), out.sin_psi(axis_), out.sine, kDbefIndex);
   const double side = 1.0 - 2.0 * static_cast<double>(to.kind);
-  const double wU = out.sign * w.U, wV = out.sign * w.V;
-  const double wA = side * (w.Q * pass.cos2 + wU * pass.sin2);
-  const double wB = side * (wU * pass.cos2 - w.Q * pass.sin2);
+  const double w_u = out.sign * w.U, w_v = out.sign * w.V;
+  const double w_a = side * (w.Q * pass.cos2 + w_u * pass.sin2);
+  const double w_b = side * (w_u * pass.cos2 - w.Q * pass.sin2);
   // `outgoing` is linear in (1, q1, q2, v): what each of them brings.
   const double c = in.cos_psi(axis_), s = in.sin_psi(axis_);
   double natural = 0.0, q1 = 0.0, q2 = 0.0, v = 0.0;
@@ -202,11 +202,11 @@ StokesVector TabulatedDbef::pulled_back(const StokesVector& importance, const Ve
   for (std::size_t i = 0; i < 4; ++i) {
     if (cell.weight[i] == 0.0) continue;
     const Lobe l = lobe(bsdf_.response(cell.node[i], to.kind, to.u, to.phi, to.cos_phi, to.sin_phi), to.kind);
-    const double along = 0.5 * (wA * l.S - w.I * l.D), across = wB * l.cross;
-    natural += cell.weight[i] * 0.5 * (w.I * l.S - wA * l.D);
+    const double along = 0.5 * (w_a * l.S - w.I * l.D), across = w_b * l.cross;
+    natural += cell.weight[i] * 0.5 * (w.I * l.S - w_a * l.D);
     q1 += cell.weight[i] * (along * l.x - across * l.y);
     q2 += cell.weight[i] * (along * l.y + across * l.x);
-    v += cell.weight[i] * wV * l.cross;
+    v += cell.weight[i] * w_v * l.cross;
   }
   const double scale = 1.0 / (to.r * to.r);
   const double film_c2 = c * c - s * s, film_s2 = 2.0 * c * s;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <mutex>
 
 #include "core/base/units.h"
@@ -25,20 +26,21 @@ constexpr std::uint64_t kPhotonsPerLook = 1 << 16;
 struct Optics {
   const Bsdf* surface = nullptr;
   const DielectricSheet* sheet = nullptr;
-  FilmOptics made;             ///< what the two point to, if it was made for the wavelength
-  bool tells_straight = true;  ///< `specular` holds all straight light
+  std::shared_ptr<const FilmOptics> made;  ///< what the two point to, if it was made for the wavelength
+  std::shared_ptr<const Bsdf> scattering;  ///< a scattering sheet as a surface
+  bool tells_straight = true;              ///< `specular` holds all straight light
 };
 
 Optics optics_at(const Film& film, double wavelength) {
-  Optics optics{film.surface.get(), film.sheet ? &*film.sheet : nullptr, {}, true};
+  Optics optics{film.surface.get(), film.sheet ? &*film.sheet : nullptr, {}, {}, true};
   if (film.at_wavelength) {
-    optics.made = film.at_wavelength(wavelength);
-    optics.surface = optics.made.surface.get();
-    optics.sheet = optics.made.sheet ? &*optics.made.sheet : nullptr;
+    optics.made = std::make_shared<const FilmOptics>(film.at_wavelength(wavelength));
+    optics.surface = optics.made->surface.get();
+    optics.sheet = optics.made->sheet ? &*optics.made->sheet : nullptr;
   }
   if (optics.sheet != nullptr && optics.sheet->scattering) {
-    optics.made.surface = std::make_unique<ScatteringSheet>(*optics.sheet);
-    optics.surface = optics.made.surface.get();
+    optics.scattering = std::make_shared<const ScatteringSheet>(*optics.sheet);
+    optics.surface = optics.scattering.get();
     optics.sheet = nullptr;
   } else if (optics.surface != nullptr) {
     optics.tells_straight = !optics.surface->redirects();

@@ -17,7 +17,7 @@ constexpr double kSame = 1e-9;  // rad
 
 /// A list of angles (rad), each once.
 std::vector<double> angles(const core::ConfigNode& node, const core::NumbersKey& key) {
-  const std::vector<double> values = node.numbers(key);
+  std::vector<double> values = node.numbers(key);
   std::vector<double> sorted = values;
   std::sort(sorted.begin(), sorted.end());
   for (std::size_t i = 1; i < sorted.size(); ++i) {

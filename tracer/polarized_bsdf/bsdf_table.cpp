@@ -172,18 +172,18 @@ BsdfTable::Value BsdfTable::Slice::at(double phi, double theta) const {
   const std::vector<double>& nodes = table_->axes_.theta;
   const std::size_t n_phi = table_->axes_.phi.size();
   const PeriodicSpline::Place p = table_->phi_spline_.place(phi);
-  const auto log_S = [&](std::size_t t) {
+  const auto log_of_sum = [&](std::size_t t) {
     const Cell& i = cells_[t * n_phi + p.i];
     const Cell& j = cells_[t * n_phi + p.j];
     return p.a * i.log_S + p.b * j.log_S + p.c * i.log_S_curvature + p.d * j.log_S_curvature;
   };
   const Bracket t = theta_bracket(nodes, theta);
-  double value = log_S(t.i);
+  double value = log_of_sum(t.i);
   if (t.j > t.i) {
-    value += t.t * (log_S(t.j) - value);
+    value += t.t * (log_of_sum(t.j) - value);
   } else if (theta > nodes.back() && nodes.size() > 1) {
     const std::size_t last = nodes.size() - 1;
-    const double slope = (value - log_S(last - 1)) / (nodes[last] - nodes[last - 1]);
+    const double slope = (value - log_of_sum(last - 1)) / (nodes[last] - nodes[last - 1]);
     value += std::min(0.0, slope) * (theta - nodes[last]);
   }
   Value result{std::exp(value), 0.0, 0.0, 0.0};

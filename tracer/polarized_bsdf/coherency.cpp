@@ -12,13 +12,11 @@ std::array<CoherencyMatrix, 16> make_basis() {
   sigma[2] << 0, 1, 1, 0;
   sigma[3] << 0, -i, i, 0;
   std::array<CoherencyMatrix, 16> basis;
-  for (int a = 0; a < 4; ++a) {
-    for (int b = 0; b < 4; ++b) {
+  for (std::size_t a = 0; a < 4; ++a) {
+    for (std::size_t b = 0; b < 4; ++b) {
       for (int r = 0; r < 4; ++r) {
         for (int c = 0; c < 4; ++c) {
-          basis[static_cast<std::size_t>(4 * a + b)](r, c) =
-              sigma[static_cast<std::size_t>(a)](r / 2, c / 2) *
-              std::conj(sigma[static_cast<std::size_t>(b)](r % 2, c % 2));
+          basis[4 * a + b](r, c) = sigma[a](r / 2, c / 2) * std::conj(sigma[b](r % 2, c % 2));
         }
       }
     }

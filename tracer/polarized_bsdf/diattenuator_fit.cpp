@@ -63,9 +63,9 @@ DiattenuatorValues diattenuator_values(const FirstRow& row, DiattenuationBias bi
       measured > 0.0 ? Eigen::Vector2d(row.value.tail<2>() / measured) : Eigen::Vector2d(1, 0);
   const Eigen::Vector2d across(-along[1], along[0]);
   const Eigen::Matrix2d xy = C.bottomRightCorner<2, 2>();
-  const double var_D = along.dot(xy * along);
+  const double variance_d = along.dot(xy * along);
   const double across_se = std::sqrt(across.dot(xy * across));
-  const double cov_SD = C(0, 1) * along[0] + C(0, 2) * along[1];
+  const double covariance_sd = C(0, 1) * along[0] + C(0, 2) * along[1];
 
   DiattenuatorValues values;
   const double low = 0.5 * (S - D);
@@ -73,9 +73,9 @@ DiattenuatorValues diattenuator_values(const FirstRow& row, DiattenuationBias bi
   values.tau_min = std::max(0.0, low);
   values.tau_max = std::max(values.tau_min, 0.5 * (S + D));
   values.delta = measured > 0.0 ? half_turn(0.5 * std::atan2(row.value[2], row.value[1])) : 0.0;
-  values.tau_min_se = 0.5 * std::sqrt(std::max(0.0, C(0, 0) + var_D - 2.0 * cov_SD));
-  values.tau_max_se = 0.5 * std::sqrt(std::max(0.0, C(0, 0) + var_D + 2.0 * cov_SD));
-  values.tau_covariance = 0.25 * (C(0, 0) - var_D);
+  values.tau_min_se = 0.5 * std::sqrt(std::max(0.0, C(0, 0) + variance_d - 2.0 * covariance_sd));
+  values.tau_max_se = 0.5 * std::sqrt(std::max(0.0, C(0, 0) + variance_d + 2.0 * covariance_sd));
+  values.tau_covariance = 0.25 * (C(0, 0) - variance_d);
   if (across_se > 0.0) values.delta_se = D > 0.0 ? std::min(kUniform, 0.5 * across_se / D) : kUniform;
   return values;
 }

@@ -4,8 +4,8 @@
 
 #include <fmt/format.h>
 
-#include "core/light/mueller.h"
 #include "core/config/csv_numbers.h"
+#include "core/light/mueller.h"
 
 namespace evenglow::tracer {
 namespace {
@@ -20,11 +20,11 @@ constexpr std::array<std::string_view, 16> kErrors{"m00_se", "m01_se", "m02_se",
 
 std::vector<core::CsvColumn> made_columns() {
   std::vector<core::CsvColumn> table{{"kind", "BRDF or BTDF", 0, 0, false, true, {"BRDF", "BTDF"}},
-                               {"psi_deg", "a number in [0, 180)", 0, 180, true},
-                               {"sigma_deg", "a number in [0, 90)", 0, 90, true},
-                               {"phi_deg", "a number in [0, 360)", 0, 360, true},
-                               {"theta_deg", "a number in [0, 180)", 0, 180, true},
-                               {"lambda_nm", "a number in [100, 10000]", 100, 10000}};
+                                     {"psi_deg", "a number in [0, 180)", 0, 180, true},
+                                     {"sigma_deg", "a number in [0, 90)", 0, 90, true},
+                                     {"phi_deg", "a number in [0, 360)", 0, 360, true},
+                                     {"theta_deg", "a number in [0, 180)", 0, 180, true},
+                                     {"lambda_nm", "a number in [100, 10000]", 100, 10000}};
   for (const auto name : kEntries) table.push_back({name, "a number in [-1e12, 1e12]", -kHuge, kHuge});
   for (const auto name : kErrors) table.push_back({name, "a number in [0, 1e12]", 0, kHuge, false, false});
   for (const auto name : {"chi_square", "degrees_of_freedom", "chi_square_increase", "least_eigenvalue_se", "rest"}) {
