@@ -1,6 +1,7 @@
 #include "app/backlight_run.h"
 
 #include <algorithm>
+#include <memory>
 #include <utility>
 
 #include <fmt/core.h>
@@ -68,13 +69,16 @@ std::optional<Report> run_simulation(Run run, const RunContext& context) {
   return report;
 }
 
-std::optional<Report> run_design_job(Run run, const RunContext& context) {
-  if (run.design.goal.kind == "max_efficiency") return run_efficiency_job(std::move(run), context);
+std::optional<DesignedRun> run_design_job(Run run, const RunContext& context) {
+  if (run.design.goal.kind == "max_efficiency") {
+    auto report = run_efficiency_job(std::move(run), context);
+    return report ? std::make_optional(DesignedRun{std::move(*report), {}}) : std::nullopt;
+  }
   const Stopwatch watch;
   const std::string dots_note = keep_to_dots(run);
   Report report = describe_run(run, context);
   if (!dots_note.empty()) report.notes.push_back(dots_note);
-  const auto proof = run.design.verify_dots ? std::make_optional<DotProof>(run, context) : std::nullopt;
+  const auto proof = run.design.verify_dots ? std::make_shared<const DotProof>(run) : nullptr;
   const design::DesignLimits limits = design_limits(run);
   design::DesignProgress progress = begin_design(run, limits, context);
   const std::string identity = run_identity(run, context.work, context.stream);
@@ -105,9 +109,12 @@ std::optional<Report> run_design_job(Run run, const RunContext& context) {
                                       report.final, run.design.goal);
   tell_color(run.design, report);
   if (report.stop_reason != progress.stop_reason) context.progress.line(label(run, report.stop_reason));
-  if (proof && !proof->add_to(report, model, run.design, run.trace.photons, context)) return std::nullopt;
+  auto verified = std::make_shared<std::optional<design::VerifiedDots>>();
+  if (proof && !proof->add_to(report, model, run.design, run.trace.photons, context, *verified)) return std::nullopt;
   finish_timing(watch, report);
-  return report;
+  DesignedRun made{std::move(report), {}};
+  if (*verified) made.write_more = [proof, verified, &context] { proof->write(**verified, context); };
+  return made;
 }
 
 }  // namespace evenglow::app

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 
 #include "app/run_context.h"
@@ -10,7 +11,14 @@ namespace evenglow::app {
 /// One trace of the backlight as described; empty: interrupted.
 std::optional<design::Report> run_simulation(Run run, const RunContext& context);
 
+/// A design that is to be written.
+struct DesignedRun {
+  design::Report report;
+  std::function<void()> write_more;  ///< the files of its dots, after those of the report; empty: none. While the
+                                     ///< context lives
+};
+
 /// The design loop and its judgment; empty: interrupted, the state is in the checkpoint.
-std::optional<design::Report> run_design_job(Run run, const RunContext& context);
+std::optional<DesignedRun> run_design_job(Run run, const RunContext& context);
 
 }  // namespace evenglow::app

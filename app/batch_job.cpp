@@ -44,6 +44,11 @@ std::string in_words(const BatchRow& row) {
                      row.final.luminance_mean.value, row.final.luminance_mean.se, 100.0 * row.final.efficiency.value);
 }
 
+std::optional<DesignedRun> simulated(Run run, const RunContext& context) {
+  auto report = run_simulation(std::move(run), context);
+  return report ? std::make_optional(DesignedRun{std::move(*report), {}}) : std::nullopt;
+}
+
 }  // namespace
 
 BatchJob::BatchJob(const Session& session, std::vector<PlannedRun> plan, std::filesystem::path directory,
@@ -122,19 +127,21 @@ bool BatchJob::trace(Run run, BatchRow& row) {
   run.variant = row.name;
   const RunContext context{session_.options,        progress_, session_.stop, single_command(row), 0,
                            place / kCheckpointName, &lock};
-  const auto report =
-      session_.options.simulate ? run_simulation(std::move(run), context) : run_design_job(std::move(run), context);
-  if (!report) return false;
+  const auto made =
+      session_.options.simulate ? simulated(std::move(run), context) : run_design_job(std::move(run), context);
+  if (!made) return false;
+  const design::Report& report = made->report;
   write_results(place, lock, [&] {
     clear_results(place);
-    design::write_report(*report, formats, place);
-    design::write_thumbnail(report->luminance, place / kThumbnail);
+    design::write_report(report, formats, place);
+    design::write_thumbnail(report.luminance, place / kThumbnail);
+    if (made->write_more) made->write_more();
   });
   remove_point_checkpoints(context.checkpoint);
   row.status = BatchStatus::kDone;
-  row.message = report->stop_reason;
-  row.final = report->final;
-  row.cpu_s = report->timing.cpu_s;
+  row.message = report.stop_reason;
+  row.final = report.final;
+  row.cpu_s = report.timing.cpu_s;
   ++made_;
   progress_.line(fmt::format("{}: {}", row.name, in_words(row)));
   return true;

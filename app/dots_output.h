@@ -4,6 +4,8 @@
 #include <chrono>
 #include <cstddef>
 #include <filesystem>
+#include <optional>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -43,6 +45,7 @@ struct DotsOutput {
   std::string source;       ///< result directory or pattern file
   std::size_t ignored = 0;  ///< entities of a drawing that are no dots
   double placement_s = 0.0, placement_cpu_s = 0.0;
+  std::stop_token stop{};
 };
 
 /// The part of the plate where dots may be. Throws ConfigError if that is none.
@@ -55,7 +58,9 @@ struct DotsTold {
 };
 
 /// Works out the figures of quality and writes all files into the directory, which is made if it is not there; earlier
-/// ones are replaced. `threads` 0: all.
-DotsTold write_dots(const DotsOutput& output, const std::filesystem::path& directory, Progress& progress, int threads);
+/// ones are replaced, once the disk has shown that it has room for the new ones. `threads` 0: all. Empty: a stop was
+/// asked for before a file was touched.
+std::optional<DotsTold> write_dots(const DotsOutput& output, const std::filesystem::path& directory, Progress& progress,
+                                   int threads);
 
 }  // namespace evenglow::app

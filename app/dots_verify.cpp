@@ -6,6 +6,7 @@
 #include <fmt/core.h>
 
 #include "app/dots_output.h"
+#include "app/output_directory.h"
 #include "core/base/error.h"
 #include "core/config/message_text.h"
 #include "design/report/number_format.h"
@@ -64,8 +65,8 @@ std::string keep_to_dots(Run& run) {
   return note;
 }
 
-DotProof::DotProof(const Run& run, const RunContext& context)
-    : input_(dots_input_of(run, context.options.files.empty() ? "" : context.options.files.front())),
+DotProof::DotProof(const Run& run)
+    : input_(dots_input_of(run, run.file.string())),
       free_(free_area(input_)),
       fill_(run.backlight.microstructure->shape.fill),
       label_(label(run, "")) {
@@ -73,9 +74,10 @@ DotProof::DotProof(const Run& run, const RunContext& context)
 }
 
 bool DotProof::add_to(design::Report& report, const design::ForwardModel& model, const design::DesignSpec& spec,
-                      std::uint64_t photons, const RunContext& context) const {
-  const design::DotVerification job{model, spec,  input_.spec, input_.plate,
-                                    free_, fill_, photons,     context.options.threads};
+                      std::uint64_t photons, const RunContext& context,
+                      std::optional<design::VerifiedDots>& verified) const {
+  const design::DotVerification job{
+      model, spec, input_.spec, input_.plate, free_, fill_, photons, context.options.threads, context.stop};
   Progress& progress = context.progress;
   design::VerificationHooks hooks;
   hooks.begins = [&](int round) {
@@ -86,7 +88,6 @@ bool DotProof::add_to(design::Report& report, const design::ForwardModel& model,
                               round.record.step, round.dots, design::measured(round.record.rms_corrected, 100.0),
                               design::measured(round.over_density)));
   };
-  std::optional<design::VerifiedDots> verified;
   try {
     verified = verify_dots(job, {report.density}, report.final.luminance_mean, hooks);
   } catch (const core::ConfigError& error) {  // what the dots cannot be is seen when they are placed: the design stays
@@ -98,22 +99,22 @@ bool DotProof::add_to(design::Report& report, const design::ForwardModel& model,
   if (!verified) return false;
   report.dots = verified->judgment;
   progress.line(label_ + "dots: " + verified->judgment.stop_reason);
-  write(report, *verified, context);
   return true;
 }
 
-void DotProof::write(const design::Report& report, const design::VerifiedDots& verified,
-                     const RunContext& context) const {
+void DotProof::write(const design::VerifiedDots& verified, const RunContext& context) const {
   if (context.options.helper || context.checkpoint.empty()) return;
-  core::CellField coverage = report.dots->density;
+  const design::DotsJudgment& judgment = verified.judgment;
+  core::CellField coverage = judgment.density;
   for (double& value : coverage.values) value = std::min(1.0, value * fill_);
   const design::CoverageMap map(std::move(coverage), free_);
   const auto directory = context.checkpoint.parent_path();
   // Sizes that were corrected fill the cells of the display, not those of the density.
-  const bool resized = report.dots->chosen > 0 && input_.spec.mode != design::DotMode::spacing;
-  const DotsTold told = write_dots({input_, free_, resized ? nullptr : &map, verified.placement, directory.string()},
-                                   directory / "dots", context.progress, context.options.threads);
-  for (const std::string& warning : told.warnings) context.progress.line("warning: " + warning);
+  const bool resized = judgment.chosen > 0 && input_.spec.mode != design::DotMode::spacing;
+  check_is_no_link(directory / kDotsFolder);
+  const auto told = write_dots({input_, free_, resized ? nullptr : &map, verified.placement, directory.string()},
+                               directory / kDotsFolder, context.progress, context.options.threads);
+  for (const std::string& warning : told->warnings) context.progress.line("warning: " + warning);
 }
 
 }  // namespace evenglow::app

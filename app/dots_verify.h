@@ -21,16 +21,16 @@ std::string keep_to_dots(Run& run);
 class DotProof {
  public:
   /// What is needed of a run whose backlight goes on to be compiled.
-  DotProof(const Run& run, const RunContext& context);
+  explicit DotProof(const Run& run);
 
-  /// Fills `report.dots` and writes the files of the dots into the folder `dots` of the result directory. False:
-  /// interrupted.
+  /// Fills `report.dots` and `verified`; neither, if the dots cannot be placed. False: interrupted.
   bool add_to(design::Report& report, const design::ForwardModel& model, const design::DesignSpec& spec,
-              std::uint64_t photons, const RunContext& context) const;
+              std::uint64_t photons, const RunContext& context, std::optional<design::VerifiedDots>& verified) const;
+
+  /// Writes the files of the dots into the folder `dots` of the result directory.
+  void write(const design::VerifiedDots& verified, const RunContext& context) const;
 
  private:
-  void write(const design::Report& report, const design::VerifiedDots& verified, const RunContext& context) const;
-
   DotsInput input_;
   design::FreeArea free_;
   double fill_;

@@ -4,6 +4,7 @@
 #include <array>
 #include <optional>
 
+#include "app/dots_output.h"
 #include "core/base/durable_file.h"
 #include "core/base/error.h"
 #include "core/config/message_text.h"
@@ -47,6 +48,9 @@ std::optional<std::string> first_result(const fs::path& directory) {
   std::error_code ignored;
   for (const char* name : kResultNames) {
     if (fs::exists(directory / name, ignored)) return name;
+  }
+  for (const char* name : kDotFiles) {
+    if (fs::exists(directory / kDotsFolder / name, ignored)) return std::string(kDotsFolder) + '/' + name;
   }
   return std::nullopt;
 }
@@ -112,6 +116,7 @@ void check_free(const fs::path& directory, const std::vector<std::string>& varia
       refuse(place, "must be a directory, got a file");
   }
   for (std::size_t i = 1; i < places.size(); ++i) check_is_no_link(places[i]);
+  for (const fs::path& place : places) check_is_no_link(place / kDotsFolder);
   if (options.resume) return options.overwrite ? void() : check_resumable(places);
   if (options.overwrite) return;
   for (const fs::path& place : places) check_is_free(place);
@@ -158,6 +163,10 @@ void write_results(const fs::path& directory, const OutputLock& lock, const std:
 void clear_results(const fs::path& directory) {
   std::error_code ignored;
   for (const char* name : kResultNames) fs::remove(directory / name, ignored);
+  const fs::path dots = directory / kDotsFolder;
+  if (fs::is_symlink(dots, ignored)) return;  // what lies elsewhere is of others
+  for (const char* name : kDotFiles) fs::remove(dots / name, ignored);
+  fs::remove(dots, ignored);  // if nothing else is in it
 }
 
 }  // namespace evenglow::app

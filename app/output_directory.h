@@ -16,6 +16,9 @@ inline constexpr const char* kCheckpointName = "checkpoint.json";
 /// The state of the step before, beside it.
 inline constexpr const char* kPreviousCheckpointName = "checkpoint.previous.json";
 
+/// The folder of a result directory that holds the dots of its design.
+inline constexpr const char* kDotsFolder = "dots";
+
 /// Name of the results of `file`: its stem, or `run` where that is none (`...yaml`, whose stem `..` is another folder).
 std::string run_name(const std::filesystem::path& file);
 
@@ -53,7 +56,8 @@ void check_is_no_link(const std::filesystem::path& place);
 std::filesystem::path make_subdirectory(const std::filesystem::path& directory, const std::string& name,
                                         std::size_t bytes = 0);
 
-/// Removes the files of an earlier result, that none of them stays beside the new ones; the checkpoint stays.
+/// Removes the files of an earlier result and of its dots, that none of them stays beside the new ones; the checkpoint
+/// stays.
 void clear_results(const std::filesystem::path& directory);
 
 }  // namespace evenglow::app

@@ -169,6 +169,7 @@ Run read_point(const std::filesystem::path& file, const RunPoint& point, const O
   overrides.insert(overrides.end(), from_options.begin(), from_options.end());
   overrides.insert(overrides.end(), last.begin(), last.end());
   Run run = read(document, overrides, purpose);
+  run.file = file;
   run.variant = point.name;
   if (options.helper) run.output.clear();
   return run;

@@ -17,6 +17,7 @@ namespace evenglow::app {
 
 /// One run, read and checked.
 struct Run {
+  std::filesystem::path file;
   std::string variant;  ///< empty: the file itself
   std::string title;
   tracer::BacklightSpec backlight;

@@ -54,9 +54,10 @@ design::ToleranceSamples earlier_samples(const ToleranceJob& job, const RunConte
   }
   try {
     std::string note;
-    const auto read = [&](const std::string& object) {
-      run = read_tolerance_state(object, identity, job.nominal.backlight.luminance.cells);
-    };
+    const design::ToleranceSpec& spec = job.nominal.tolerance;
+    const ToleranceBounds bounds{job.nominal.backlight.luminance.cells, design::parameter_names(spec).size(),
+                                 static_cast<std::size_t>(spec.samples)};
+    const auto read = [&](const std::string& object) { run = read_tolerance_state(object, identity, bounds); };
     if (design::load_state(context.checkpoint, read, note))
       context.progress.line(fmt::format("resumed after sample {}", run.samples.size()));
     if (!note.empty()) context.progress.line(note);

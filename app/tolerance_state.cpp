@@ -1,10 +1,13 @@
 #include <array>
+#include <cmath>
 #include <limits>
+#include <string_view>
 
 #include <nlohmann/json.hpp>
 
 #include "app/tolerance_run.h"
 #include "core/base/error.h"
+#include "core/config/json_depth.h"
 #include "design/tolerance/figures.h"
 
 namespace evenglow::app {
@@ -32,6 +35,24 @@ std::vector<core::Estimate> estimates_of(const Json& list) {
   return estimates;
 }
 
+void require(bool good, const char* fault) {
+  if (!good) throw core::Error(fault);
+}
+
+/// Figures that a display of so many cells can have (`checked_figures` lets none through that is no number).
+void check_figures(const std::vector<core::Estimate>& figures, std::size_t cells) {
+  constexpr double kMost = 1e12;                             // cd/m2; the sun has 1.6e9
+  const double rms = std::sqrt(static_cast<double>(cells));  // of all light in one cell
+  for (std::size_t i = 0; i < figures.size(); ++i) {
+    const bool is_rms = i == 0;  // its square may come out negative, and has a sign then
+    const bool is_luminance = std::string_view(design::kFigures[i].unit) != "%";
+    const double most = is_rms ? rms : is_luminance ? kMost : 1.0 + 1e-9;
+    const auto& [value, se] = figures[i];
+    require(value >= (is_rms ? -rms : 0.0) && value <= most && se >= 0.0 && se <= kMost,
+            "a figure of it is out of range");
+  }
+}
+
 std::array<double, 2> pair_of(const Json& node) {
   return {number_of(node.at(0)), number_of(node.at(1))};
 }
@@ -53,7 +74,8 @@ std::string tolerance_state(const std::string& identity, const design::Tolerance
 }
 
 design::ToleranceSamples read_tolerance_state(const std::string& object, const std::string& identity,
-                                              const core::CellGrid& cells) {
+                                              const ToleranceBounds& bounds) {
+  core::require_shallow_json(object);
   const Json node = Json::parse(object);
   if (node.at("format").get<std::string>() != kStateFormat) throw core::Error("it is of another version");
   if (node.at("identity").get<std::string>() != identity)
@@ -64,9 +86,14 @@ design::ToleranceSamples read_tolerance_state(const std::string& object, const s
     run.samples.push_back({s.at("parameters").get<std::vector<double>>(),
                            estimates_of(s.at("figures")),
                            {pair_of(s.at("halves").at(0)), pair_of(s.at("halves").at(1))}});
+  require(run.samples.size() <= bounds.samples, "it has more samples than the run file");
+  check_figures(run.reference, bounds.cells.size());
+  for (const design::SampleResult& s : run.samples) {
+    require(s.parameters.size() == bounds.parameters, "a sample of it has other parameters than the run file");
+    check_figures(s.figures, bounds.cells.size());
+  }
   const auto numbers = node.at("maps").get<std::vector<double>>();
-  if (!run.samples.empty() && !run.maps.restore(cells, run.samples.size(), numbers))
-    throw core::Error("it is of other cells");
+  require(run.samples.empty() || run.maps.restore(bounds.cells, run.samples.size(), numbers), "it is of other cells");
   return run;
 }
 

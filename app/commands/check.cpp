@@ -4,6 +4,7 @@
 
 #include "app/commands/commands.h"
 #include "app/run_file.h"
+#include "app/tolerance_job.h"
 
 namespace evenglow::app {
 
@@ -21,6 +22,15 @@ void check_variants(const std::filesystem::path& file, const Options& options) {
   for (const Run& run : read_variants(file, options)) {
     fmt::print("{}{}: good\n", file.string(), run.variant.empty() ? "" : " (variant " + run.variant + ")");
   }
+}
+
+/// What `tolerance` looks at before it traces: whether there is what varies, and whether samples can be read.
+void check_variations(const std::filesystem::path& file, const Options& options) {
+  if (read_run(file, options).tolerance.variations.empty()) return;
+  Options own = options;
+  own.files = {file};
+  const ToleranceJob job = read_tolerance_job(own);
+  fmt::print("{}: {} variations are good\n", file.string(), job.nominal.tolerance.variations.size());
 }
 
 /// The runs of a batch; what is wrong with some of them is told for each.
@@ -48,6 +58,7 @@ int check_command(const Session& session) {
     try {
       check_variants(file, session.options);
       check_sweep(file, session.options, faults);
+      check_variations(file, session.options);
     } catch (const core::ConfigError& error) {
       add(faults, error);
     }

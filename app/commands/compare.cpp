@@ -78,17 +78,18 @@ int compare_command(const Session& session) {
         session.options,         progress,  session.stop, session.program_arguments, static_cast<std::uint32_t>(i),
         place / kCheckpointName, &locks[i], kWork};
     const auto own_formats = runs[i].output;
-    auto report = run_design_job(std::move(runs[i]), context);
-    if (!report) {
+    auto made = run_design_job(std::move(runs[i]), context);
+    if (!made) {
       progress.line("interrupted: --resume goes on from the last whole step");
       return kInterrupted;
     }
     write_results(place, locks[i], [&] {
       clear_results(place);
-      design::write_report(*report, own_formats, place);
+      design::write_report(made->report, own_formats, place);
+      if (made->write_more) made->write_more();
     });
-    print_result(*report, place);
-    reports.push_back(std::move(*report));
+    print_result(made->report, place);
+    reports.push_back(std::move(made->report));
   }
   const design::Comparison comparison = design::compare_reports(title, session.program_arguments, std::move(reports));
   write_results(directory, lock, [&] {

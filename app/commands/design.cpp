@@ -17,17 +17,18 @@ int design_command(const Session& session) {
   Progress progress(session.options.quiet, session.options.json_progress);
   const RunContext context{
       session.options, progress, session.stop, session.program_arguments, 0, directory / kCheckpointName, &lock};
-  const auto report = run_design_job(std::move(run), context);
-  if (!report) {
+  const auto made = run_design_job(std::move(run), context);
+  if (!made) {
     progress.line("interrupted: --resume goes on from the last whole step");
     return kInterrupted;
   }
   write_results(directory, lock, [&] {
     clear_results(directory);
-    design::write_report(*report, formats, directory);
+    design::write_report(made->report, formats, directory);
+    if (made->write_more) made->write_more();
   });
   remove_point_checkpoints(context.checkpoint);
-  print_result(*report, directory);
+  print_result(made->report, directory);
   return kDone;
 }
 

@@ -23,9 +23,16 @@ namespace {
 
 namespace fs = std::filesystem;
 
+int interrupted(Progress& progress) {
+  progress.line("interrupted: nothing was written");
+  return kInterrupted;
+}
+
 /// Files, and the last words of both ways.
 int finish(const DotsOutput& output, const fs::path& directory, Progress& progress, int threads) {
-  const DotsTold told = write_dots(output, directory, progress, threads);
+  const auto made = write_dots(output, directory, progress, threads);
+  if (!made) return interrupted(progress);
+  const DotsTold& told = *made;
   for (const std::string& remark : output.input.remarks) fmt::print(stderr, "note: {}\n", remark);
   for (const std::string& warning : told.warnings) fmt::print(stderr, "warning: {}\n", warning);
   fmt::print("{}  files                {}\n", told.table, core::one_line(directory.string()));
@@ -113,7 +120,7 @@ DotsOverrides DotsCommand::overrides() const {
   return changes;
 }
 
-int DotsCommand::run(const Session&) {
+int DotsCommand::run(const Session& session) {
   std::error_code ignored;
   const bool directory = fs::is_directory(source_, ignored);
   const fs::path out = !out_.empty() ? out_ : directory ? source_ / "dots" : fs::path("out") / run_name(source_);
@@ -125,10 +132,10 @@ int DotsCommand::run(const Session&) {
   for (const char* name : kDotFiles) files.push_back(out / name);
   if (!directory) require_other_than_inputs(files, {source_});
   if (!overwrite_) require_free(files);
-  return directory ? place(out) : import_pattern(out);
+  return directory ? place(out, session.stop) : import_pattern(out, session.stop);
 }
 
-int DotsCommand::place(const fs::path& out) const {
+int DotsCommand::place(const fs::path& out, const std::stop_token& stop) const {
   const DotsInput input = read_designed(source_, run_file_, overrides());
   const design::FreeArea free = free_area(input);
   Progress progress(quiet_);
@@ -136,12 +143,14 @@ int DotsCommand::place(const fs::path& out) const {
   LapWatch watch;
   const double cpu = core::process_cpu_seconds();
   const design::CoverageMap map(*input.coverage, free);
-  const design::Placement placement = place_dots(input.spec, map, threads_);
-  return finish({input, free, &map, placement, source_.string(), 0, watch.lap(), core::process_cpu_seconds() - cpu},
-                out, progress, threads_);
+  const design::Placement placement = place_dots(input.spec, map, threads_, stop);
+  if (stop.stop_requested()) return interrupted(progress);
+  return finish(
+      {input, free, &map, placement, source_.string(), 0, watch.lap(), core::process_cpu_seconds() - cpu, stop}, out,
+      progress, threads_);
 }
 
-int DotsCommand::import_pattern(const fs::path& out) const {
+int DotsCommand::import_pattern(const fs::path& out, const std::stop_token& stop) const {
   DotsInput input = read_surroundings(run_file_, overrides());
   Progress progress(quiet_);
   progress.line("reading the dots");
@@ -170,8 +179,8 @@ int DotsCommand::import_pattern(const fs::path& out) const {
   if (run_file_.empty()) input.plate = dots_box;
   const design::FreeArea free(dots_box, {}, {}, {});
   return finish(
-      {input, free, nullptr, pattern, source_.string(), ignored, watch.lap(), core::process_cpu_seconds() - cpu}, out,
-      progress, threads_);
+      {input, free, nullptr, pattern, source_.string(), ignored, watch.lap(), core::process_cpu_seconds() - cpu, stop},
+      out, progress, threads_);
 }
 
 }  // namespace evenglow::app

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <map>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -32,8 +33,8 @@ class DotsCommand {
  private:
   void add_key(CLI::App& command, const char* key, const char* help, const char* type);
   DotsOverrides overrides() const;
-  int place(const std::filesystem::path& out) const;
-  int import_pattern(const std::filesystem::path& out) const;
+  int place(const std::filesystem::path& out, const std::stop_token& stop) const;
+  int import_pattern(const std::filesystem::path& out, const std::stop_token& stop) const;
 
   bool chosen_ = false;
   std::filesystem::path source_, run_file_, out_;

@@ -13,6 +13,7 @@
 #include "core/config/message_text.h"
 #include "design/engine/state_file.h"
 #include "design/report/writer_registry.h"
+#include "design/tolerance/figures.h"
 
 namespace evenglow::app {
 namespace {
@@ -65,6 +66,14 @@ void print(const ToleranceOutcome& outcome, const std::filesystem::path& directo
   fmt::print("worst samples: {} (--sample N shows one whole)\nfiles: {}\n", worst, core::one_line(directory.string()));
 }
 
+/// What the samples may take on the disk beyond what all runs do: three states, each number with 25 characters at most,
+/// and a row of tolerance.csv.
+std::size_t sample_bytes(const ToleranceJob& job) {
+  const design::ToleranceSpec& spec = job.nominal.tolerance;
+  const std::size_t numbers = design::parameter_names(spec).size() + 2 * design::kFigures.size() + 4;
+  return static_cast<std::size_t>(spec.samples) * 4 * 25 * numbers;
+}
+
 }  // namespace
 
 int tolerance_command(const Session& session) {
@@ -73,7 +82,7 @@ int tolerance_command(const Session& session) {
   check_sample(job);
   const auto directory = output_directory(session.options, file);
   agree_on_input(session.options, run_identity(job.nominal, kWork), session.stop);
-  const OutputLock lock = claim_directory(directory, {}, session.options, disk_bytes(job.nominal));
+  const OutputLock lock = claim_directory(directory, {}, session.options, disk_bytes(job.nominal) + sample_bytes(job));
   Progress progress(session.options.quiet, session.options.json_progress);
   if (session.options.sample) return replay(session, job, directory, progress);
   const RunContext context{

@@ -69,10 +69,10 @@ void check_count(const DotSpec& spec, const CoverageMap& map) {
         fmt::format("must not make more than {:.0f} million dots, got {:.4g} million", kMostDots / 1e6, count / 1e6));
 }
 
-DotStore blue_noise(const DotSpec& spec, const CoverageMap& map, int threads) {
+DotStore blue_noise(const DotSpec& spec, const CoverageMap& map, int threads, const std::stop_token& stop) {
   const SizeLaw law(spec, map);
   DotStore store = start_dots(spec, map, law, threads);
-  relax(spec, map, law, {}, threads, store);
+  relax(spec, map, law, {}, threads, store, stop);
   if (spec.mode == DotMode::both) {
     auto& dots = store.dots();
     for (std::size_t i = 0; i < store.size(); ++i)
@@ -98,7 +98,7 @@ double greatest_coverage(const DotSpec& spec, double diameter) {
   return kDensestPacking * core::footprint_area(spec.footprint, diameter) / circle;
 }
 
-Placement place_dots(const DotSpec& spec, const CoverageMap& asked, int threads) {
+Placement place_dots(const DotSpec& spec, const CoverageMap& asked, int threads, const std::stop_token& stop) {
   if (spec.mode == DotMode::lattice && !(greatest_lattice_diameter(spec) >= spec.diameter_min)) {
     refuse("pitch_um",
            fmt::format("must leave room for the least dot ({:g} um) and the gap ({:g} um), got {:g}",
@@ -108,11 +108,11 @@ Placement place_dots(const DotSpec& spec, const CoverageMap& asked, int threads)
   Placement result;
   result.wanted_area = asked.wanted_in_all();
   const CoverageMap map = possible_map(spec, asked, result.short_cells);
-  DotStore store = spec.mode == DotMode::lattice ? lattice_dots(spec, map) : blue_noise(spec, map, threads);
+  DotStore store = spec.mode == DotMode::lattice ? lattice_dots(spec, map) : blue_noise(spec, map, threads, stop);
   if (spec.mode == DotMode::lattice) {
     fit_sizes(spec, map, spec.diameter_min, greatest_lattice_diameter(spec), false, threads, store);
-  } else if (!separate(spec, map, kSeparationSteps, threads, store)) {
-    result.removed = settle_conflicts(spec, map, store);
+  } else if (!separate(spec, map, kSeparationSteps, threads, store, stop)) {
+    result.removed = settle_conflicts(spec, map, store, stop);
   }
   const auto& dots = store.dots();
   result.dots.resize(store.size());

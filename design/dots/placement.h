@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <stop_token>
 
 #include "core/dots/dot.h"
 #include "design/dots/coverage_map.h"
@@ -27,7 +28,8 @@ double greatest_coverage(const DotSpec& spec, double diameter);
 /// Places the dots. Each cell holds its coverage times its free area within one dot; dots are nowhere nearer than the
 /// gap; every dot lies whole within the free area. Same seed, same dots, on any number of `threads` (0: all). Throws
 /// ConfigError if a cell asks for more than the limits allow, unless `accept_shortfall`; if nothing is to be placed; if
-/// more than 50 million dots would be.
-Placement place_dots(const DotSpec& spec, const CoverageMap& map, int threads);
+/// more than 50 million dots would be. After a stop was asked for it comes back soon, with a pattern that is not done:
+/// the caller looks at the token.
+Placement place_dots(const DotSpec& spec, const CoverageMap& map, int threads, const std::stop_token& stop = {});
 
 }  // namespace evenglow::design

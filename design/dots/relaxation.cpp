@@ -60,7 +60,7 @@ Push push_on(const CoverageMap& map, const RelaxationSettings& settings, const D
 }  // namespace
 
 void relax(const DotSpec& spec, const CoverageMap& map, const SizeLaw& law, const RelaxationSettings& settings,
-           int threads, DotStore& store) {
+           int threads, DotStore& store, const std::stop_token& stop) {
   DotMoves moves(store.size());
   auto& dots = store.dots();
   const core::CellField wanted = wanted_counts(map, law);
@@ -88,11 +88,12 @@ void relax(const DotSpec& spec, const CoverageMap& map, const SizeLaw& law, cons
     if (!bound) store.sort_all(threads);
   };
   for (int i = 0; i < settings.free_steps; ++i) {
+    if (stop.stop_requested()) return;
     step(false);
     if ((i + 1) % settings.restore_every == 0 || i + 1 == settings.free_steps)
       restore_counts(spec, map, wanted, threads, store);
   }
-  for (int i = 0; i < settings.bound_steps; ++i) step(true);
+  for (int i = 0; i < settings.bound_steps && !stop.stop_requested(); ++i) step(true);
 }
 
 }  // namespace evenglow::design

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <stop_token>
+
 #include "design/dots/coverage_map.h"
 #include "design/dots/dot_spec.h"
 #include "design/dots/dot_store.h"
@@ -21,17 +23,19 @@ struct RelaxationSettings {
 /// move at once, step by step (repelling dots as in Ide et al., J. Opt. Soc. Am. A 20, 248, 2003, with a short
 /// force whose strength grows with s, so that an even pressure keeps a graded density). No dot leaves the free area,
 /// and at the end every cell has its count within one dot (`restore_counts`). The result does not depend on the number
-/// of threads.
+/// of threads. After a stop was asked for it and those below leave off.
 void relax(const DotSpec& spec, const CoverageMap& map, const SizeLaw& law, const RelaxationSettings& settings,
-           int threads, DotStore& store);
+           int threads, DotStore& store, const std::stop_token& stop = {});
 
 /// Pushes dots apart that are nearer than diameters and gap allow, until none are or `max_steps` are done; returns
 /// whether none are. Diameters must be whole numbers of nm for the answer to hold after rounding of places to nm.
-bool separate(const DotSpec& spec, const CoverageMap& map, int max_steps, int threads, DotStore& store);
+bool separate(const DotSpec& spec, const CoverageMap& map, int max_steps, int threads, DotStore& store,
+              const std::stop_token& stop = {});
 
 /// Gives the dots that still are too near to another one a free place within their cell, else takes them away; returns
 /// how many were taken away.
-std::size_t settle_conflicts(const DotSpec& spec, const CoverageMap& map, DotStore& store);
+std::size_t settle_conflicts(const DotSpec& spec, const CoverageMap& map, DotStore& store,
+                             const std::stop_token& stop = {});
 
 /// Least distance of the centers of two dots (mm), a little more than the process asks, for rounding to nm.
 inline double least_distance(const DotSpec& spec, float diameter_a, float diameter_b) {

@@ -34,11 +34,12 @@ bool conflicts(const DotSpec& spec, const DotStore& store, std::size_t self, dou
 
 }  // namespace
 
-bool separate(const DotSpec& spec, const CoverageMap& map, int max_steps, int threads, DotStore& store) {
+bool separate(const DotSpec& spec, const CoverageMap& map, int max_steps, int threads, DotStore& store,
+              const std::stop_token& stop) {
   auto& dots = store.dots();
   DotMoves moves(store.size());
   const float widest = widest_dot(store);
-  for (int step = 0; step < max_steps; ++step) {
+  for (int step = 0; step < max_steps && !stop.stop_requested(); ++step) {
     std::atomic<bool> clean = true;
     for_each_cell(store.cell_count(), threads, [&](std::size_t cell) {
       for (std::size_t i = store.begin(cell); i < store.end(cell); ++i) {
@@ -80,11 +81,12 @@ bool separate(const DotSpec& spec, const CoverageMap& map, int max_steps, int th
   return false;
 }
 
-std::size_t settle_conflicts(const DotSpec& spec, const CoverageMap& map, DotStore& store) {
+std::size_t settle_conflicts(const DotSpec& spec, const CoverageMap& map, DotStore& store,
+                             const std::stop_token& stop) {
   auto& dots = store.dots();
   const core::CellGrid& g = map.grid();
   const float widest = widest_dot(store);
-  for (std::size_t cell = 0; cell < store.cell_count(); ++cell) {
+  for (std::size_t cell = 0; cell < store.cell_count() && !stop.stop_requested(); ++cell) {
     for (std::size_t i = store.begin(cell); i < store.end(cell); ++i) {
       const double reach = least_distance(spec, dots.diameter[i], widest);
       if (!conflicts(spec, store, i, dots.x[i], dots.y[i], dots.diameter[i], reach)) continue;

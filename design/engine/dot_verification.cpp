@@ -106,7 +106,8 @@ class Verifier {
     for (double& value : coverage.values) value = std::min(1.0, value * job_.fill);
     const CoverageMap map(std::move(coverage), job_.free);
     if (seen_.empty() || job_.dots.mode == DotMode::spacing) {
-      trial.placement = place_dots(job_.dots, map, job_.threads);
+      trial.placement = place_dots(job_.dots, map, job_.threads, job_.stop);
+      if (job_.stop.stop_requested()) return std::nullopt;
       trial.rounding = rounding_of(trial.placement, map);
       first_ = trial.placement;
     } else {

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <stop_token>
 
 #include "design/dots/dot_spec.h"
 #include "design/dots/keep_out.h"
@@ -25,6 +26,7 @@ struct DotVerification {
   double fill = 1.0;  ///< share of the patterned area under footprints
   std::uint64_t photons = 0;
   int threads = 0;
+  std::stop_token stop{};  ///< for the placement; the traces have that of the model
 };
 
 struct VerifiedDots {

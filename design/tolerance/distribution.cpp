@@ -75,6 +75,7 @@ Distribution read_distribution(const ConfigNode& node, double most) {
   const int given = int{node.has("normal")} + int{node.has("uniform")} + int{node.has("choices")};
   if (given != 1)
     node.fault(fmt::format("must have one of normal, uniform and choices, got {}", given == 0 ? "none" : "several"));
+  if (node.has("choices") && result.choices.empty()) node.fault_at("choices", "must hold at least one value, got none");
   if (node.has("choices") && node.has("mean")) node.fault_at("mean", "must not stand beside choices, got both");
   if (!node.has("choices") && node.has("weights")) node.fault_at("weights", "belongs to choices, got none of them");
   if (!result.choices.empty()) {

@@ -5,6 +5,8 @@
 
 #include <Eigen/Dense>
 
+#include "core/base/error.h"
+
 namespace evenglow::design {
 namespace {
 
@@ -23,6 +25,9 @@ std::optional<Sensitivity> sensitivity(const std::vector<std::vector<double>>& p
                                        const std::vector<double>& figure) {
   const auto n = static_cast<Eigen::Index>(figure.size());
   const auto all = static_cast<Eigen::Index>(n > 0 ? parameters.front().size() : 0);
+  const auto fits = [&](const std::vector<double>& sample) { return static_cast<Eigen::Index>(sample.size()) == all; };
+  core::expects(parameters.size() == figure.size() && std::all_of(parameters.begin(), parameters.end(), fits),
+                "each sample has a figure and all parameters");
   Eigen::MatrixXd x(n, all);
   std::vector<Eigen::Index> varying;  // columns of x that are used, in front
   for (Eigen::Index p = 0; p < all; ++p) {

@@ -71,6 +71,53 @@ TEST_F(DotsVerify, DotsThatCannotBePlacedLeaveTheDesign) {
               AllOf(HasSubstr("The dots were not verified"), HasSubstr("50 million dots")));
 }
 
+/// The folder `dots` of the result belongs to the result: nothing is written through a link, nothing is replaced
+/// unasked, nothing of another design stays in it.
+TEST_F(DotsVerify, FolderOfTheDotsBelongsToTheResult) {
+  namespace fs = std::filesystem;
+  const std::vector<std::string> plain = {"design", "run.yaml", "-o", "d", "--quiet", "--set", "design.verify=dots"};
+  fs::create_directories(folder_ / "d");
+  fs::create_directories(folder_ / "elsewhere");
+  fs::create_directory_symlink(folder_ / "elsewhere", folder_ / "d" / "dots");
+  const auto linked = run(plain);
+  EXPECT_EQ(linked.code, 2);
+  EXPECT_THAT(linked.err, HasSubstr("d/dots: must be a directory, got a symbolic link"));
+  EXPECT_TRUE(fs::is_empty(folder_ / "elsewhere"));
+  fs::remove(folder_ / "d" / "dots");
+  fs::create_directories(folder_ / "d" / "dots");
+  write_text(folder_ / "d" / "dots" / "dots.csv", "mine");
+  const auto held = run(plain);
+  EXPECT_EQ(held.code, 2);
+  EXPECT_THAT(held.err, HasSubstr("must not hold another result, got dots/dots.csv"));
+  EXPECT_EQ(file_text(folder_ / "d" / "dots" / "dots.csv"), "mine");
+  ASSERT_EQ(design({}).code, 0);
+  EXPECT_NE(file_text(folder_ / "d" / "dots" / "dots.csv"), "mine");
+  write_text(folder_ / "d" / "dots" / "notes.txt", "of the user");
+  ASSERT_EQ(run({"design", "run.yaml", "-o", "d", "--quiet", "--overwrite"}).code, 0);
+  EXPECT_FALSE(fs::exists(folder_ / "d" / "dots" / "dots.gds")) << "of another design than the result";
+  EXPECT_EQ(file_text(folder_ / "d" / "dots" / "notes.txt"), "of the user");
+}
+
+/// A folder stands where a file of the dots must go: the design is not lost.
+TEST_F(DotsVerify, DotsThatCannotBeWrittenKeepTheState) {
+  std::filesystem::create_directories(folder_ / "d" / "dots" / "dots.gds" / "full");
+  const auto failed = design({});
+  EXPECT_EQ(failed.code, 1);
+  EXPECT_THAT(failed.err, AllOf(HasSubstr("dots.gds"), HasSubstr("(the state is kept: --resume")));
+  std::filesystem::remove_all(folder_ / "d" / "dots" / "dots.gds");
+  const auto again = run({"design", "run.yaml", "-o", "d", "--quiet", "--resume", "--set", "design.verify=dots"});
+  ASSERT_EQ(again.code, 0) << again.err;
+  EXPECT_FALSE(file_text(folder_ / "d" / "dots" / "dots.gds").empty());
+}
+
+TEST_F(DotsVerify, DotsOfABatchNameTheirRunFile) {
+  write_text(folder_ / "other.yaml", kTinyRun);
+  const auto result = run({"batch", "run.yaml", "other.yaml", "-o", "b", "--quiet", "--set", "design.verify=dots"});
+  ASSERT_EQ(result.code, 0) << result.err;
+  EXPECT_EQ(json_of(folder_ / "b/other_lpp/dots/dots.json")["run_file"], "other.yaml");
+  EXPECT_EQ(json_of(folder_ / "b/run_dbef/dots/dots.json")["run_file"], "run.yaml");
+}
+
 TEST_F(DotsVerify, ZonesThatLeaveNothingAreToldBeforeAnyPhoton) {
   const auto result = design({"--set", "dots.keep_out=[{kind: rectangle, x_mm: [0, 20], y_mm: [0, 10]}]"});
   EXPECT_EQ(result.code, 2);

@@ -175,6 +175,25 @@ TEST_F(Tolerance, WrongInputIsToldBeforeAPhoton) {
               HasSubstr("the samples would not have the cells"));
 }
 
+/// What `tolerance` would refuse, `check` refuses.
+TEST_F(Tolerance, CheckLooksAtTheVariations) {
+  const auto check = [&](const std::string& variations) {
+    write_text(folder_ / "tiny.yaml", file_of(variations));
+    return evenglow({"check", "tiny.yaml"}, folder_.path());
+  };
+  const ProgramResult good = check("[{kind: led_flux, normal: 0.1}]");
+  EXPECT_EQ(good.code, 0) << good.err;
+  EXPECT_THAT(good.out, HasSubstr("tiny.yaml: 1 variations are good"));
+  for (const char* wrong : {"backlight.films[0].kind", "backlight.films[7].haze", "backlight.microstructure"}) {
+    const ProgramResult result = check("[{kind: key, key: \"" + std::string(wrong) + "\", normal: 0.1}]");
+    EXPECT_EQ(result.code, 2) << wrong;
+    EXPECT_THAT(result.err, HasSubstr("tolerance.variations[0]")) << wrong;
+  }
+  const ProgramResult none = check("[{kind: led_flux, choices: []}]");
+  EXPECT_EQ(none.code, 2);
+  EXPECT_THAT(none.err, HasSubstr("choices: must hold at least one value, got none"));
+}
+
 class ToleranceAfterSignal : public Tolerance, public ::testing::WithParamInterface<int> {};
 
 /// What an interruption leaves goes on to the bits of the whole run.

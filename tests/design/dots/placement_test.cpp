@@ -123,5 +123,21 @@ TEST(Placement, SquareDotsDoNotOverlapAtTheirCorners) {
   EXPECT_NEAR(static_cast<double>(placed.dots.size()) * 0.06 * 0.06, placed.wanted_area, 0.004 * placed.wanted_area);
 }
 
+/// An unwanted placement must not keep its user waiting: this one takes minutes when it is let go on.
+TEST(Placement, LeavesOffWhenAStopIsAskedFor) {
+  DotSpec spec;
+  spec.mode = DotMode::spacing;
+  spec.diameter = 0.008;
+  spec.gap = 0.001;
+  const core::CellGrid cells = core::CellGrid::over(20, 20, 0.0, 0.0, 12.0, 12.0);
+  const FreeArea free({0.0, 12.0, 0.0, 12.0}, {}, {}, {});
+  const CoverageMap map(core::CellField(cells, 0.5), free);
+  std::stop_source stop;
+  stop.request_stop();
+  const core::DotPattern scattered = place_dots(spec, map, 2, stop.get_token()).dots;
+  EXPECT_GT(scattered.size(), 1000000U);  // as they were thrown: nothing has moved them
+  EXPECT_EQ(place_dots(spec, map, 1, stop.get_token()).dots, scattered);
+}
+
 }  // namespace
 }  // namespace evenglow::tests
