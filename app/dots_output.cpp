@@ -47,7 +47,7 @@ void write_made(const DotsOutput& output, const fs::path& directory, int threads
 }  // namespace
 
 design::FreeArea free_area(const DotsInput& input) {
-  const design::FreeArea free(input.plate, input.spec.margins, input.spec.rectangles, input.spec.circles);
+  design::FreeArea free(input.plate, input.spec.margins, input.spec.rectangles, input.spec.circles);
   const design::RectangleZone& box = free.bounds();
   if (box.x1 > box.x0 && box.y1 > box.y0) return free;
   throw core::ConfigError(core::Fault{input.run_file.empty() ? "options" : input.run_file, 0, 0, "dots.margins",

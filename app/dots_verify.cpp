@@ -58,7 +58,7 @@ std::string keep_to_dots(Run& run) {
   if (!run.design.verify_dots || run.dots.accept_shortfall) return "";
   const double most = design::greatest_dot_density(run.dots, run.backlight.microstructure->shape.fill);
   if (most >= run.design.density_max) return "";
-  const std::string note =
+  std::string note =
       fmt::format("The upper limit of the density is {:.4g} in place of {:g}: the dots of the map dots hold no more.",
                   most, run.design.density_max);
   run.design.density_max = most;

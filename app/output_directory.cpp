@@ -133,7 +133,7 @@ void make_directory(const fs::path& directory, std::size_t bytes) {
 }
 
 fs::path make_subdirectory(const fs::path& directory, const std::string& name, std::size_t bytes) {
-  const fs::path place = directory / name;
+  fs::path place = directory / name;
   check_is_no_link(place);
   make_directory(place, bytes);
   return place;

@@ -81,6 +81,7 @@ std::string sensitivities(const ToleranceOutcome& o) {
   const auto names = design::parameter_names(o.spec());
   std::vector<std::string> columns = {"parameter"};
   std::vector<std::vector<std::string>> rows;
+  rows.reserve(names.size() + 2);
   for (const std::string& name : names) rows.push_back({html_escape(name)});
   rows.push_back({"explained share of the variance as traced"});
   for (const std::size_t i : figure_order(o.spec())) {

@@ -36,11 +36,11 @@ Curve counted(const std::string& name, const std::vector<double>& values, const 
   curve.name = name;
   curve.stepped = true;
   curve.marked = false;
-  curve.y.assign(static_cast<std::size_t>(bins.count + 2), 0.0);
+  curve.y.assign(static_cast<std::size_t>(bins.count) + 2, 0.0);
   for (int i = -1; i <= bins.count; ++i) curve.x.push_back(bins.low + (i + 0.5) * bins.width);
   for (const double value : values) {
     const int bin = std::clamp(static_cast<int>((value - bins.low) / bins.width), 0, bins.count - 1);
-    curve.y[static_cast<std::size_t>(bin + 1)] += 100.0 / static_cast<double>(values.size());
+    curve.y[static_cast<std::size_t>(bin) + 1] += 100.0 / static_cast<double>(values.size());
   }
   return curve;
 }
@@ -60,6 +60,7 @@ Curve upright(const std::string& name, double x, double top, design::Ink ink) {
 
 std::vector<std::size_t> figure_order(const design::ToleranceSpec& spec) {
   std::vector<std::size_t> order;
+  order.reserve(design::kFigures.size());
   for (const design::Limit& limit : spec.limits)
     order.push_back(static_cast<std::size_t>(design::figure_index(limit.figure)));
   for (std::size_t f = 0; f < design::kFigures.size(); ++f) {

@@ -2,6 +2,9 @@
 
 #include <atomic>
 #include <ctime>
+#include <exception>
+#include <thread>
+#include <vector>
 
 #include <tbb/info.h>
 #include <tbb/parallel_for.h>
@@ -17,24 +20,55 @@ BatchRange batch_range(std::size_t batch, std::size_t batches, std::uint64_t pho
   return {batch, count * batch, count};
 }
 
-bool run_batches(std::size_t count, int threads, const std::function<void(std::size_t)>& work, std::stop_token stop) {
-  std::atomic<std::size_t> done = 0;
-  // What was written before is seen by all threads: so it is by TBB, and so tools see it that do not look into TBB.
-  std::atomic<bool> begun = false;
-  begun.store(true, std::memory_order_release);
-  tbb::task_arena arena(effective_threads(threads));
+namespace {
+
+/// Calls `next` for each number below `count`, on so many threads.
+void share_out(std::size_t count, int threads, const std::function<void(std::size_t)>& next) {
+#if defined(__SANITIZE_THREAD__)
+  // TBB is not instrumented: the sanitizer cannot see how it hands work over, and would take every use of what a batch
+  // shares with its maker for a race. Threads of the standard library it sees.
+  std::atomic<std::size_t> taken = 0;
+  const auto work = [&] {
+    for (std::size_t i = taken++; i < count; i = taken++) next(i);
+  };
+  std::vector<std::exception_ptr> failures(static_cast<std::size_t>(threads));
+  {
+    std::vector<std::jthread> workers;
+    for (std::exception_ptr& failure : failures) {
+      workers.emplace_back([&work, &failure] {
+        try {
+          work();
+        } catch (...) {
+          failure = std::current_exception();
+        }
+      });
+    }
+  }
+  for (const std::exception_ptr& failure : failures) {
+    if (failure) std::rethrow_exception(failure);
+  }
+#else
+  tbb::task_arena arena(threads);
   arena.execute([&] {
     // A grain of one batch: batches are few and long, and their lengths differ.
     tbb::parallel_for(
         tbb::blocked_range<std::size_t>(0, count, 1),
         [&](const tbb::blocked_range<std::size_t>& range) {
-          for (std::size_t i = range.begin(); i != range.end(); ++i) {
-            if (!begun.load(std::memory_order_acquire) || stop.stop_requested()) return;
-            work(i);
-            ++done;
-          }
+          for (std::size_t i = range.begin(); i != range.end(); ++i) next(i);
         },
         tbb::simple_partitioner());
+  });
+#endif
+}
+
+}  // namespace
+
+bool run_batches(std::size_t count, int threads, const std::function<void(std::size_t)>& work, std::stop_token stop) {
+  std::atomic<std::size_t> done = 0;
+  share_out(count, effective_threads(threads), [&](std::size_t i) {
+    if (stop.stop_requested()) return;
+    work(i);
+    ++done;
   });
   return done == count;
 }

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "core/math/cell_index.h"
+
 namespace evenglow::design {
 namespace {
 
@@ -62,7 +64,7 @@ double CoverageMap::at(double x, double y) const {
             iy = std::min(static_cast<int>(v), std::max(g.ny - 2, 0));
   const double a = u - ix, b = v - iy;
   const int right = g.nx > 1 ? 1 : 0, up = g.ny > 1 ? g.nx : 0;
-  const double* value = nodes_.values.data() + iy * g.nx + ix;
+  const double* value = &nodes_.values[core::cell_index(g.nx, ix, iy)];
   return (1.0 - b) * ((1.0 - a) * value[0] + a * value[right]) + b * ((1.0 - a) * value[up] + a * value[up + right]);
 }
 

@@ -1,5 +1,7 @@
 #include "design/dots/dot_moves.h"
 
+#include "design/dots/cell_corner.h"
+
 namespace evenglow::design {
 namespace {
 
@@ -28,8 +30,7 @@ void move_free(const DotSpec& spec, const CoverageMap& map, double dx, double dy
 void move_within(const DotSpec& spec, const CoverageMap& map, std::size_t cell, double dx, double dy, float diameter,
                  double& x, double& y) {
   const core::CellGrid& g = map.grid();
-  const double x0 = g.x0 + static_cast<double>(cell % static_cast<std::size_t>(g.nx)) * g.dx;
-  const double y0 = g.y0 + static_cast<double>(cell / static_cast<std::size_t>(g.nx)) * g.dy;
+  const auto [x0, y0] = cell_corner(g, cell);
   move_free(spec, map, within(x, x + dx, x0, x0 + g.dx) - x, within(y, y + dy, y0, y0 + g.dy) - y, diameter, x, y);
 }
 

@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "core/montecarlo/batches.h"
+#include "design/dots/cell_corner.h"
 
 namespace evenglow::design {
 namespace {
@@ -60,8 +61,7 @@ void DotStore::sort(std::size_t cell) {
   const Bins& bins = bins_[cell];
   const std::size_t from = begin(cell), count = end(cell) - from;
   const auto bin_count = static_cast<std::size_t>(bins.nx) * static_cast<std::size_t>(bins.ny);
-  const double x0 = grid_.x0 + static_cast<double>(cell % static_cast<std::size_t>(grid_.nx)) * grid_.dx;
-  const double y0 = grid_.y0 + static_cast<double>(cell / static_cast<std::size_t>(grid_.nx)) * grid_.dy;
+  const auto [x0, y0] = cell_corner(grid_, cell);
   std::vector<std::uint32_t> bin_of(count), order(count);
   std::uint32_t* begins = bin_begin_.data() + bins.first;
   std::fill(begins, begins + bin_count + 1, 0u);

@@ -70,7 +70,7 @@ DotStore lattice_dots(const DotSpec& spec, const CoverageMap& map) {
   const double least = unit * spec.diameter_min * spec.diameter_min;
   const double greatest = unit * std::pow(greatest_lattice_diameter(spec), 2);
   std::vector<Placed> found;
-  const auto width = static_cast<std::size_t>(2 * places.half + 3);
+  const auto width = 2 * static_cast<std::size_t>(places.half) + 3;
   std::vector<double> here(width, 0.0), next(width, 0.0);
   for (int j = -places.half; j <= places.half; ++j) {
     const int way = (j & 1) == 0 ? 1 : -1;
@@ -79,16 +79,19 @@ DotStore lattice_dots(const DotSpec& spec, const CoverageMap& map) {
       const double x = places.x(i, j), y = places.y(i, j);
       const int cell = map.grid().index_at(x, y);
       if (cell < 0 || map.free().clearance(x, y, 1.0) <= 0.0) continue;
-      const auto column = static_cast<std::size_t>(i + places.half + 1);
-      const double wanted = map.at(x, y) * place_area, ask = wanted + here[column];
+      const std::ptrdiff_t column = std::ptrdiff_t{i} + places.half + 1;
+      const auto at = [](std::vector<double>& row, std::ptrdiff_t place) -> double& {
+        return row[static_cast<std::size_t>(place)];
+      };
+      const double wanted = map.at(x, y) * place_area, ask = wanted + at(here, column);
       double area = std::min(wanted, greatest);
       if (wanted < least) {
         area = ask > 0.5 * least ? least : 0.0;
         const double error = std::clamp(ask - area, -least, least);
-        here[static_cast<std::size_t>(static_cast<int>(column) + way)] += error * 7.0 / 16.0;
-        next[static_cast<std::size_t>(static_cast<int>(column) - way)] += error * 3.0 / 16.0;
-        next[column] += error * 5.0 / 16.0;
-        next[static_cast<std::size_t>(static_cast<int>(column) + way)] += error * 1.0 / 16.0;
+        at(here, column + way) += error * 7.0 / 16.0;
+        at(next, column - way) += error * 3.0 / 16.0;
+        at(next, column) += error * 5.0 / 16.0;
+        at(next, column + way) += error * 1.0 / 16.0;
       }
       if (area == 0.0) continue;
       const double diameter = std::sqrt(area / unit);

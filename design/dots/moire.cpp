@@ -53,7 +53,7 @@ std::vector<Harmonic> harmonics_of(const std::vector<Grating>& gratings, const M
 /// Fourier transform of a disc of this diameter over its area.
 double disc_shape(double frequency, double diameter) {
   const double u = std::numbers::pi * frequency * diameter;
-  return u < 1e-6 ? 1.0 : std::abs(2.0 * std::cyl_bessel_j(1.0, u) / u);
+  return u < 1e-6 ? 1.0 : std::abs(2.0 * ::j1(u) / u);
 }
 
 struct WindowSums {
@@ -127,12 +127,14 @@ std::vector<Beat> find_beats(const DotStore& dots, const FreeArea& free, const s
   const double size = std::min({settings.window, box.x1 - box.x0, box.y1 - box.y0});
   std::vector<SampleWindow> windows;
   for (int k = 0; k < kSquares * kSquares; ++k) {
-    const double x = box.x0 + (k % kSquares + 0.5) / kSquares * (box.x1 - box.x0);
-    const double y = box.y0 + (k / kSquares + 0.5) / kSquares * (box.y1 - box.y0);
+    const int column = k % kSquares, row = k / kSquares;
+    const double x = box.x0 + (column + 0.5) / kSquares * (box.x1 - box.x0);
+    const double y = box.y0 + (row + 0.5) / kSquares * (box.y1 - box.y0);
     windows.push_back(cut_window(dots, std::clamp(x - 0.5 * size, box.x0, box.x1 - size),
                                  std::clamp(y - 0.5 * size, box.y0, box.y1 - size), size));
   }
-  std::erase_if(windows, [](const SampleWindow& window) { return window.x.size() < 2.0 * kInStep; });
+  std::erase_if(windows,
+                [](const SampleWindow& window) { return static_cast<double>(window.x.size()) < 2.0 * kInStep; });
   std::vector<Beat> found(windows.size() * harmonics.size());
   core::run_batches(found.size(), threads, [&](std::size_t i) {
     const SampleWindow& window = windows[i / harmonics.size()];

@@ -7,6 +7,7 @@
 
 #include "core/base/error.h"
 #include "core/base/units.h"
+#include "design/dots/cell_corner.h"
 #include "design/dots/exact_sizes.h"
 #include "design/dots/lattice.h"
 #include "design/dots/relaxation.h"
@@ -118,8 +119,7 @@ Placement place_dots(const DotSpec& spec, const CoverageMap& asked, int threads,
   result.dots.resize(store.size());
   const core::CellGrid& g = map.grid();
   for (std::size_t cell = 0; cell < store.cell_count(); ++cell) {
-    const double x0 = g.x0 + static_cast<double>(cell % static_cast<std::size_t>(g.nx)) * g.dx;
-    const double y0 = g.y0 + static_cast<double>(cell / static_cast<std::size_t>(g.nx)) * g.dy;
+    const auto [x0, y0] = cell_corner(g, cell);
     for (std::size_t i = store.begin(cell); i < store.end(cell); ++i) {
       const double diameter = static_cast<double>(dots.diameter[i]);
       result.dots[i] = {whole_nm(dots.x[i], x0, x0 + g.dx), whole_nm(dots.y[i], y0, y0 + g.dy),

@@ -58,8 +58,9 @@ std::vector<SampleWindow> sample_windows(const DotStore& store, const FreeArea& 
   const double length = box.x1 - box.x0, width = box.y1 - box.y0;
   std::vector<SampleWindow> windows;
   for (int k = 0; k < kRaster * kRaster; ++k) {
-    const double x = box.x0 + (k % kRaster + 0.5) / kRaster * length;
-    const double y = box.y0 + (k / kRaster + 0.5) / kRaster * width;
+    const int column = k % kRaster, row = k / kRaster;
+    const double x = box.x0 + (column + 0.5) / kRaster * length;
+    const double y = box.y0 + (row + 0.5) / kRaster * width;
     double size = std::sqrt(wanted * length * width / static_cast<double>(store.size()));
     for (int step = 0; step < 4; ++step) {
       size = std::min({size, length, width});

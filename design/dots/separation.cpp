@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "core/montecarlo/photon_rng.h"
+#include "design/dots/cell_corner.h"
 #include "design/dots/dot_moves.h"
 #include "design/dots/relaxation.h"
 #include "design/dots/start_dots.h"
@@ -92,10 +93,11 @@ std::size_t settle_conflicts(const DotSpec& spec, const CoverageMap& map, DotSto
       if (!conflicts(spec, store, i, dots.x[i], dots.y[i], dots.diameter[i], reach)) continue;
       core::PhotonRng rng({spec.seed, 1, 1}, i);
       const double half = 0.5 * core::footprint_span(spec.footprint, dots.diameter[i]);
+      const CellCorner corner = cell_corner(g, cell);
       bool placed = false;
       for (int k = 0; k < kPlacesTried && !placed; ++k) {
-        const double x = g.x0 + (static_cast<double>(cell % static_cast<std::size_t>(g.nx)) + rng.uniform()) * g.dx;
-        const double y = g.y0 + (static_cast<double>(cell / static_cast<std::size_t>(g.nx)) + rng.uniform()) * g.dy;
+        const double x = corner.x + rng.uniform() * g.dx;
+        const double y = corner.y + rng.uniform() * g.dy;
         if (map.free().clearance(x, y, 2.0 * half) < half) continue;
         if (conflicts(spec, store, i, x, y, dots.diameter[i], reach)) continue;
         dots.x[i] = x;
@@ -111,7 +113,7 @@ std::size_t settle_conflicts(const DotSpec& spec, const CoverageMap& map, DotSto
     }
   }
   std::vector<char> removed(store.size(), 0);
-  for (std::size_t i = 0; i < store.size(); ++i) removed[i] = dots.x[i] <= g.x0 - kAway;
+  for (std::size_t i = 0; i < store.size(); ++i) removed[i] = dots.x[i] <= g.x0 - kAway ? 1 : 0;
   const auto count = static_cast<std::size_t>(std::count(removed.begin(), removed.end(), 1));
   if (count > 0) store.remove(removed);
   return count;

@@ -5,6 +5,7 @@
 
 #include "core/montecarlo/batches.h"
 #include "core/montecarlo/photon_rng.h"
+#include "design/dots/cell_corner.h"
 #include "design/dots/dot_counts.h"
 
 namespace evenglow::design {
@@ -28,8 +29,7 @@ double largest_odds(const CoverageMap& map, const SizeLaw& law, double x0, doubl
 std::size_t fill_cell(const DotSpec& spec, const CoverageMap& map, const SizeLaw& law, std::size_t cell,
                       DotStore& store) {
   const core::CellGrid& g = map.grid();
-  const double x0 = g.x0 + static_cast<double>(cell % static_cast<std::size_t>(g.nx)) * g.dx;
-  const double y0 = g.y0 + static_cast<double>(cell / static_cast<std::size_t>(g.nx)) * g.dy;
+  const auto [x0, y0] = cell_corner(g, cell);
   core::PhotonRng rng({spec.seed, 0, 1}, cell);
   const double most = largest_odds(map, law, x0, y0);
   auto& dots = store.dots();

@@ -212,7 +212,7 @@ class Verifier {
   }
 
   /// The next density. What is smooth is the light that a unit of placed density sends out.
-  tracer::DensityField corrected(Trial trial) {
+  tracer::DensityField corrected(const Trial& trial) {
     remember(trial);
     DesignState placed{{seen_.back().placed}, all_traces()};
     core::CellField excess = noise_aware_excess(placed).field;

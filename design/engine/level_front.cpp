@@ -195,6 +195,7 @@ std::vector<double> front_levels(const DesignSpec& spec, const tracer::DensityFi
   const double low = std::max(kDown * middle, kFloor * spec.density_min);
   const double high = std::max(std::min(kUp * middle, kRoom * spec.density_max), 1.5 * low);
   std::vector<double> levels;
+  levels.reserve(kPoints);
   for (int i = 0; i < kPoints; ++i)
     levels.push_back(low * std::pow(high / low, static_cast<double>(i) / (kPoints - 1)));
   return levels;

@@ -96,6 +96,7 @@ class Search {
 
   std::vector<double> scaled_start() const {
     std::vector<double> x;
+    x.reserve(spec_.variables.size());
     for (const OuterVariable& v : spec_.variables) x.push_back((v.start - v.low) / (v.high - v.low));
     return x;
   }

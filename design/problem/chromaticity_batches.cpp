@@ -23,6 +23,7 @@ Vec3 light_of(const Vec2& uv) {
 
 core::Estimate with_error(double value, const ChromaticityBatches& color, const Vec2& gradient) {
   std::vector<double> residuals;
+  residuals.reserve(color.residuals.size());
   for (const Vec2& r : color.residuals) residuals.push_back(gradient.dot(r));
   return {value, residual_se(residuals)};
 }

@@ -53,6 +53,7 @@ core::Estimate length_of(const std::vector<Vec2>& ways) {
   const double length = mean.norm();
   const Vec2 along = length > 0.0 ? Vec2(mean / length) : Vec2(std::sqrt(0.5), std::sqrt(0.5));
   std::vector<double> residuals;
+  residuals.reserve(ways.size());
   for (const Vec2& way : ways) residuals.push_back(along.dot(way - mean) / static_cast<double>(ways.size()));
   return {length, residual_se(residuals)};
 }

@@ -48,6 +48,7 @@ void mirror_mean(core::CellField& field, bool along_x) {
 template <typename Change>
 void in_logarithms(core::CellField& field, double sign, const Change& change) {
   std::vector<double> logs;
+  logs.reserve(field.values.size());
   for (const double value : field.values) logs.push_back(sign * std::log(value));
   const std::vector<double> before = logs;
   change(logs);
@@ -142,6 +143,7 @@ void make_symmetric(const DesignSpec& spec, core::CellField& density) {
 void limit_neighbor_ratio(double ratio, core::CellField& density) {
   const double slope = std::log(ratio);
   std::vector<double> below;
+  below.reserve(density.values.size());
   for (const double value : density.values) below.push_back(std::log(value));
   std::vector<double> above = below;
   cap_slope(density.grid.nx, density.grid.ny, slope, below);

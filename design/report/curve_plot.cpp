@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ranges>
 
 namespace evenglow::design {
 namespace {
@@ -47,16 +48,16 @@ class CurvePainter {
 
   void legend(const CurvePlot& plot, const Box& box) const {
     double x = box.right();
-    for (auto curve = plot.curves.rbegin(); curve != plot.curves.rend(); ++curve) {
-      if (!curve->in_legend) continue;
-      x -= drawing_.text_width(curve->name, style(Align::left, Ink::text));
+    for (const Curve& curve : std::views::reverse(plot.curves)) {
+      if (!curve.in_legend) continue;
+      x -= drawing_.text_width(curve.name, style(Align::left, Ink::text));
       const double y = box.top + 1.1 * size_;
-      drawing_.text({x, y}, curve->name, style(Align::left, Ink::text));
+      drawing_.text({x, y}, curve.name, style(Align::left, Ink::text));
       const double from = x - 2.4 * size_;
       const double to = x - 0.5 * size_;
       const double middle = y - 0.35 * size_;
-      if (curve->joined) drawing_.line({from, middle}, {to, middle}, stroke(*curve));
-      if (curve->marked) drawing_.mark({0.5 * (from + to), middle}, radius(), curve->shape, curve->ink);
+      if (curve.joined) drawing_.line({from, middle}, {to, middle}, stroke(curve));
+      if (curve.marked) drawing_.mark({0.5 * (from + to), middle}, radius(), curve.shape, curve.ink);
       x = from - 1.2 * size_;
     }
   }

@@ -68,6 +68,7 @@ ValueScale balanced(const std::vector<VariantMap>& maps) {
 
 ValueScale common_scale_of(const std::vector<VariantMap>& maps) {
   std::vector<const core::CellField*> fields;
+  fields.reserve(maps.size());
   for (const VariantMap& one : maps) fields.push_back(&one.map.field);
   return common_scale(fields);
 }

@@ -30,8 +30,8 @@ std::string delta_maps(const ColorJudgment& color, PageData& data) {
   const auto figure = [&](const std::string& title, const core::CellField& field, const core::CellField* se) {
     return map_figure({title, range_text(field), &field, se, "", "luminance", scale}, data);
   };
-  return joined({figure(std::string(kDeltaUv) + " from the mean color, noise included", color.delta, &color.delta_se),
-                 figure(std::string("Standard error of ") + kDeltaUv, color.delta_se, nullptr)});
+  return joined({figure(fmt::format("{} from the mean color, noise included", kDeltaUv), color.delta, &color.delta_se),
+                 figure(fmt::format("Standard error of {}", kDeltaUv), color.delta_se, nullptr)});
 }
 
 std::string pair_text(const core::Estimate& a, const core::Estimate& b) {

@@ -37,7 +37,7 @@ std::string json_string(std::string_view text) {
 }  // namespace
 
 std::string PageData::add(std::string object) {
-  const std::string name = fmt::format("d{}", count_++);
+  std::string name = fmt::format("d{}", count_++);
   objects_ += fmt::format(",\n\"{}\":{}", name, object);
   return name;
 }

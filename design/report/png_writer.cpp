@@ -84,13 +84,17 @@ class MapTable {
   }
 
   double width() const { return static_cast<double>(columns()) * cell_.width + bar_room; }
-  double height() const { return static_cast<double>((maps_.size() + columns() - 1) / columns()) * cell_.height; }
+  double height() const {
+    const std::size_t rows = (maps_.size() + columns() - 1) / columns();
+    return static_cast<double>(rows) * cell_.height;
+  }
 
   void draw(CairoDrawing& drawing, double top) const {
     Box first;
     for (std::size_t i = 0; i < maps_.size(); ++i) {
-      const Box box{static_cast<double>(i % columns()) * cell_.width,
-                    top + static_cast<double>(i / columns()) * cell_.height, cell_.width, cell_.height};
+      const std::size_t column = i % columns(), row = i / columns();
+      const Box box{static_cast<double>(column) * cell_.width, top + static_cast<double>(row) * cell_.height,
+                    cell_.width, cell_.height};
       const Box area = draw_map(drawing, maps_[i], box, text_size);
       if (i == 0) first = area;
     }
@@ -108,8 +112,10 @@ class MapTable {
 
 MapTable luminance_table(const std::vector<Report>& variants) {
   std::vector<const core::CellField*> fields;
+  fields.reserve(variants.size());
   for (const Report& report : variants) fields.push_back(&report.luminance);
   std::vector<MapPlot> maps;
+  maps.reserve(variants.size());
   for (const Report& report : variants) {
     const std::string caption =
         measured(report.final.luminance_mean) + " " + luminance_unit + ", RMS " + percent(report.final.rms_corrected);
@@ -121,8 +127,10 @@ MapTable luminance_table(const std::vector<Report>& variants) {
 
 MapTable density_table(const std::vector<Report>& variants) {
   std::vector<const core::CellField*> fields;
+  fields.reserve(variants.size());
   for (const Report& report : variants) fields.push_back(&report.density);
   std::vector<MapPlot> maps;
+  maps.reserve(variants.size());
   for (const Report& report : variants) {
     maps.push_back({"Density: " + report.variant, density_caption(report), &report.density, common_scale(fields),
                     &ColorMap::density()});

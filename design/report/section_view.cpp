@@ -93,6 +93,7 @@ std::vector<Point> bent(const SectionView& view, const SectionHeights& height, c
   }
   std::sort(shares.begin(), shares.end());
   std::vector<Point> points;
+  points.reserve(shares.size());
   for (const double s : shares) points.push_back(place(view, height, {a.x + s * (b.x - a.x), a.y + s * (b.y - a.y)}));
   return points;
 }

@@ -40,6 +40,7 @@ std::string list_of(const std::vector<std::string>& notes) {
 std::string maps_of(const Study& study, PageData& data) {
   if (study.densities.empty()) return "";
   std::vector<const core::CellField*> fields;
+  fields.reserve(study.densities.size());
   for (const StudyMap& map : study.densities) fields.push_back(&map.field);
   const ValueScale scale = common_scale(fields);
   std::string figures;

@@ -57,6 +57,7 @@ std::vector<double> without_noise(const std::vector<core::Estimate>& samples, co
                                   double shift) {
   const double factor = population.seen > 0.0 ? std::max(0.0, population.spread.value) / population.seen : 0.0;
   std::vector<double> values;
+  values.reserve(samples.size());
   for (const core::Estimate& s : samples)
     values.push_back(population.mean.value + (s.value - population.mean.value) * factor - shift);
   return values;

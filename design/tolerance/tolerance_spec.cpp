@@ -132,6 +132,7 @@ void check_once(const ConfigNode& node, const std::vector<Variation>& earlier, c
 
 Variation read_variation(const ConfigNode& node, const tracer::BacklightSpec& backlight) {
   std::vector<std::string> names;
+  names.reserve(std::size(kKinds));
   for (const KindRow& row : kKinds) names.emplace_back(row.name);
   Variation variation;
   const auto kind = node.kind({"kind", "what varies, with the unit of its distribution", names});

@@ -13,6 +13,7 @@ namespace {
 
 std::vector<core::Estimate> seen_of(const ToleranceSamples& run, std::size_t figure) {
   std::vector<core::Estimate> values;
+  values.reserve(run.samples.size());
   for (const SampleResult& s : run.samples) values.push_back(s.figures[figure]);
   return values;
 }

@@ -79,7 +79,7 @@ class Replay {
 };
 
 std::vector<double> next_point(const std::vector<double>& values, const SplineSpec& spec) {
-  const auto count = static_cast<std::size_t>(spec.nx * spec.ny);
+  const auto count = static_cast<std::size_t>(spec.nx) * static_cast<std::size_t>(spec.ny);
   Replay replay(values, count);
   nlopt::opt search(algorithm_of(spec.method), static_cast<unsigned>(count));
   search.set_min_objective([](const std::vector<double>& x, std::vector<double>&,
@@ -120,8 +120,10 @@ class SplineUpdater final : public Updater {
 }  // namespace
 
 core::CellField spline_field(const core::CellGrid& grid, int nx, int ny, const std::vector<double>& coefficients) {
-  core::expects(coefficients.size() == static_cast<std::size_t>(nx * ny), "a value for each coefficient");
+  core::expects(coefficients.size() == static_cast<std::size_t>(nx) * static_cast<std::size_t>(ny),
+                "a value for each coefficient");
   std::vector<std::vector<double>> columns;
+  columns.reserve(static_cast<std::size_t>(grid.nx));
   for (int ix = 0; ix < grid.nx; ++ix) columns.push_back(basis(nx, (ix + 0.5) / grid.nx));
   core::CellField field(grid, 0.0);
   for (int iy = 0; iy < grid.ny; ++iy) {

@@ -60,7 +60,7 @@ class DotGrid {
   /// Cosine and sine of a dot's angle; (1, 0) of all round ones.
   core::Vec2 axis(std::uint32_t dot) const {
     if (axes_.empty()) return {1.0, 0.0};
-    return {static_cast<double>(axes_[2 * dot]), static_cast<double>(axes_[2 * dot + 1])};
+    return {static_cast<double>(axes_[std::size_t{2} * dot]), static_cast<double>(axes_[std::size_t{2} * dot + 1])};
   }
   /// The entry at a place, null: none.
   const Entry* find(double x, double y) const {
@@ -84,7 +84,8 @@ class DotGrid {
     const double dx = u - static_cast<double>(e.x), dy = v - static_cast<double>(e.y);
     const double r = static_cast<double>(e.radius);
     if (axes_.empty()) return dx * dx + dy * dy < r * r;
-    const double c = static_cast<double>(axes_[2 * e.dot]), s = static_cast<double>(axes_[2 * e.dot + 1]);
+    const double c = static_cast<double>(axes_[std::size_t{2} * e.dot]),
+                 s = static_cast<double>(axes_[std::size_t{2} * e.dot + 1]);
     return std::abs(c * dx + s * dy) < r && std::abs(c * dy - s * dx) < r;
   }
   /// The nearest bin beyond the border.

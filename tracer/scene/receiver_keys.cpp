@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <ranges>
 #include <set>
 #include <string>
 #include <vector>
@@ -42,10 +43,10 @@ core::CellGrid active_area(const ConfigNode& node, const Box& area, std::pair<in
 bool next_event_works(const BacklightSpec& spec, double least_lobe) {
   const auto scatters = [&](const Bsdf& surface) { return surface.scatters() && spreads_over(surface, least_lobe); };
   if (spec.reflectors[static_cast<std::size_t>(Side::kTop)]) return false;
-  for (auto film = spec.films.rbegin(); film != spec.films.rend(); ++film) {
-    if (film->surface && scatters(*film->surface)) return true;
+  for (const Film& film : std::views::reverse(spec.films)) {
+    if (film.surface && scatters(*film.surface)) return true;
     // Little gets through it unscattered, and what it scatters is counted.
-    if (film->sheet && film->sheet->scattering) return false;
+    if (film.sheet && film.sheet->scattering) return false;
   }
   const bool level_bottom = !spec.plate || spec.plate->thickness == spec.plate->end_thickness;
   const auto& bottom = spec.reflectors[static_cast<std::size_t>(Side::kBottom)];

@@ -4,6 +4,7 @@
 #include <cstddef>
 
 #include "core/base/error.h"
+#include "core/math/cell_index.h"
 
 namespace evenglow::tracer {
 namespace {
@@ -18,8 +19,7 @@ class CellParts {
   template <typename Visit>
   void each(Visit visit) {
     for (int j = 0; j < n_; ++j) {
-      for (int i = 0; i < n_; ++i)
-        visit(fine_.values[static_cast<std::size_t>((iy_ * n_ + j) * fine_.grid.nx + ix_ * n_ + i)]);
+      for (int i = 0; i < n_; ++i) visit(fine_.values[core::cell_index(fine_.grid.nx, ix_ * n_ + i, iy_ * n_ + j)]);
     }
   }
 
@@ -58,7 +58,7 @@ DensityField refined(const DensityField& density, int subcells) {
   const double count = static_cast<double>(subcells) * subcells;
   for (int iy = 0; iy < cells.grid.ny; ++iy) {
     for (int ix = 0; ix < cells.grid.nx; ++ix) {
-      const double mean = cells.values[static_cast<std::size_t>(iy * cells.grid.nx + ix)];
+      const double mean = cells.values[core::cell_index(cells.grid.nx, ix, iy)];
       keep_mean(CellParts(result.cells, subcells, ix, iy), count, mean, low, high);
     }
   }

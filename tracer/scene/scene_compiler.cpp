@@ -10,6 +10,7 @@ namespace {
 
 SpectralBands bands_of(const BacklightSpec& spec) {
   std::vector<double> fluxes;
+  fluxes.reserve(spec.sources.size());
   for (const auto& source : spec.sources) fluxes.push_back(source->flux());
   return {spec.spectra, fluxes, spec.wavelengths, spec.color};
 }
@@ -54,9 +55,10 @@ Scene compile_scene(BacklightSpec spec) {
                     display_spots(spec.luminance.cells, spec.angular->spots, spec.angular->spot_radius));
   }
   const LuminanceReceiver luminance = luminance_receiver(spec.luminance, first.box().max.z());
+  auto caster = std::make_unique<RayCaster>(first.take_quads());
   return Scene{std::move(spec),
                first.box(),
-               std::make_unique<RayCaster>(first.take_quads()),
+               std::move(caster),
                std::move(bands),
                std::move(optics),
                first.take_source_placements(),

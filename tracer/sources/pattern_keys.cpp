@@ -41,7 +41,7 @@ EmissionPattern read_emission_pattern(const core::ConfigNode& node) {
                                         "angular pattern of the intensity",
                                         {"lambertian", "cosine_power", "cos_n", "tabulated", "ies", "eulumdat"},
                                         "lambertian"});
-  const EmissionPattern lambertian = EmissionPattern::cosine_power(1.0);
+  EmissionPattern lambertian = EmissionPattern::cosine_power(1.0);
   if (kind == "lambertian") return lambertian;
   if (kind == "cosine_power" || kind == "cos_n") return read_cosine_power(node);
   const auto file = node.file(
@@ -54,7 +54,8 @@ EmissionPattern read_emission_pattern(const core::ConfigNode& node) {
     const IntensityCsv read = read_file(kind, file);
     return EmissionPattern::tabulated(read.table, turn, read.absolute);
   });
-  return pattern ? std::move(*pattern) : lambertian;
+  if (pattern) return std::move(*pattern);
+  return lambertian;
 }
 
 std::string pattern_note(const EmissionPattern& pattern) {

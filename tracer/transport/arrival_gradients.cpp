@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <ranges>
 #include <utility>
 
 #include "core/base/error.h"
@@ -50,27 +51,27 @@ class BatchGradient {
 
   void add_backwards() {
     double later = 0.0, shared = 0.0, next = 0.0;
-    for (auto event = events_.rbegin(); event != events_.rend(); ++event) {
-      switch (event->kind) {
+    for (const auto& event : std::views::reverse(events_)) {
+      switch (event.kind) {
         case LogKind::kPassed:
-          sums_[event->index] += factors_.slope_passed[event->index] * later;
+          sums_[event.index] += factors_.slope_passed[event.index] * later;
           break;
         case LogKind::kMet:
-          sums_[event->index] += later;
+          sums_[event.index] += later;
           break;
         case LogKind::kCrossed:
-          sums_[event->index] += factors_.slope_passed[event->index] * next;
+          sums_[event.index] += factors_.slope_passed[event.index] * next;
           break;
         case LogKind::kShare:
-          sums_[event->index] += shared;
+          sums_[event.index] += shared;
           shared = 0.0;
           break;
         case LogKind::kShared:
-          shared += event->value;
+          shared += event.value;
           [[fallthrough]];
         case LogKind::kDeposit:
-          later += event->value;
-          next = event->value;
+          later += event.value;
+          next = event.value;
           break;
         case LogKind::kPhotonEnd:
           break;

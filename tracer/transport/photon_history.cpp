@@ -114,7 +114,7 @@ RayHit PhotonHistory::next_hit(const Walk& walk) const {
     const auto& faces = faces_[static_cast<std::size_t>(photon.body)];
     return scene_.caster->exit_of(faces, photon.position, photon.light.frame.k, photon.quad);
   }
-  const RayHit hit = scene_.caster->nearest(photon.position, photon.light.frame.k, photon.quad);
+  RayHit hit = scene_.caster->nearest(photon.position, photon.light.frame.k, photon.quad);
   // Two quads that touch all over (a sheet's side and the wall) are no corner: light goes from one to the other. Walls
   // of the box need no such rule: whether light goes towards them or away is known.
   const bool back_into_corner = hit.quad >= 0 && hit.quad == walk.corner && hit.distance <= kSamePoint &&

@@ -50,7 +50,7 @@ void PlanarLayers::add(const SceneOptics& optics, int quad, double z) {
                  : layer.prism.has_value() && upright   ? Kind::kPrism
                                                         : Kind::kOther;
   }
-  layers_.push_back(std::move(layer));
+  layers_.push_back(layer);
 }
 
 void PlanarLayers::set_air(const Box& box) {

@@ -103,7 +103,7 @@ std::optional<RayHit> PlanarScene::wall_of_plate(const Photon& photon) const {
     Vec3 place(0.0, 0.0, z);
     place[axis] = at;
     place[across] = other;
-    return RayHit{plate_->quads[static_cast<std::size_t>(2 * axis + (from_low ? 0 : 1))], t, place};
+    return RayHit{plate_->quads[2 * static_cast<std::size_t>(axis) + (from_low ? 0 : 1)], t, place};
   }
   return std::nullopt;
 }

@@ -104,7 +104,7 @@ class PlanarScene::Builder {
       const bool upper = surfaces_[quad].normal[face.axis] > 0.0;
       PlanarRoom& room = bodies[static_cast<std::size_t>(body)];
       room.body = body;
-      room.quads[static_cast<std::size_t>(2 * face.axis + (upper ? 1 : 0))] = static_cast<int>(quad);
+      room.quads[2 * static_cast<std::size_t>(face.axis) + (upper ? 1 : 0)] = static_cast<int>(quad);
       (upper ? room.box.max : room.box.min)[face.axis] = face.extent.min[face.axis];
     }
     for (std::size_t body = 0; body < count; ++body) add_body(bodies[body]);
@@ -135,7 +135,7 @@ class PlanarScene::Builder {
       const bool upper = same(at, scene_.box.max[axis]);
       const bool is_film = axis == 2 && !is_reflector(quad);
       if (!is_film && (lower || upper)) {
-        result_.walls_[static_cast<std::size_t>(2 * axis + (lower ? 0 : 1))] = quad;
+        result_.walls_[2 * static_cast<std::size_t>(axis) + (lower ? 0 : 1)] = quad;
         place(quad).is_wall = axis != 2;
         return;
       }
@@ -148,7 +148,7 @@ class PlanarScene::Builder {
     const bool below = at <= area.min[axis];
     const bool above = at >= area.max[axis] && axis != 2;
     if (!below && !above) throw NotPlanar{"a source stands in the way of the layers"};
-    result_.free_sources_[static_cast<std::size_t>(2 * axis + (below ? 0 : 1))] = true;
+    result_.free_sources_[2 * static_cast<std::size_t>(axis) + (below ? 0 : 1)] = true;
     result_.has_free_sources_ = true;
     // Where it is left to, only the general search can tell.
     place(quad).below = place(quad).above = kUnknown;

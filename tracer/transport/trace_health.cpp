@@ -45,6 +45,7 @@ class HealthCheck {
     }
     if (lost <= kLostAlwaysAllowed || lost <= kLostAllowed * static_cast<double>(result_.photons)) return;
     std::vector<std::size_t> bins;
+    bins.reserve(kLossReasons);
     for (int i = 0; i < kLossReasons; ++i) bins.push_back(lost_bin(i));
     throw core::Error(
         fmt::format("too many photons were lost: {} of {} ({}){}", lost, result_.photons, text, first_rise(bins)));

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ranges>
 
 #include "core/base/units.h"
 #include "tracer/optics/lobe_width.h"
@@ -93,12 +94,12 @@ void ViewerLevels::leave_narrow_lobes(const Scene& scene) {
   const double wide = std::min(2.0 * least, kWidest);
   const auto& surfaces = scene.optics.front().surfaces;
   bool wide_above = false;
-  for (auto level = levels_.rbegin(); level != levels_.rend(); ++level) {
-    const Surface& surface = surfaces[static_cast<std::size_t>(level->quad)];
-    if (!level->joined || level->patterned) continue;
-    level->joined = spreads_over(*surface.optics, wide_above ? wide : least);
-    if (!level->joined) level->recorded = level->windowed;
-    if (surface.body < 0 && level->joined) wide_above = wide_above || spreads_over(*surface.optics, wide);
+  for (auto& level : std::views::reverse(levels_)) {
+    const Surface& surface = surfaces[static_cast<std::size_t>(level.quad)];
+    if (!level.joined || level.patterned) continue;
+    level.joined = spreads_over(*surface.optics, wide_above ? wide : least);
+    if (!level.joined) level.recorded = level.windowed;
+    if (surface.body < 0 && level.joined) wide_above = wide_above || spreads_over(*surface.optics, wide);
   }
 }
 

@@ -156,13 +156,13 @@ class Batch {
     g.exit[lane] = static_cast<std::uint32_t>(LaneExit::kNone);
   }
 
+  PlateLanes start_;  ///< photons that wait for a lane
   WavefrontOutside outside_;
   const PlateConstants& constants_;
   const core::RandomKey& key_;
   std::uint64_t next_, end_;
   BatchSums& sums_;
   std::vector<PlateLanes> groups_;
-  PlateLanes start_;  ///< photons that wait for a lane
   std::vector<Photon> start_photons_;
   std::size_t waiting_ = 0, launched_ = 0;  ///< so many of them; so many of these have a lane
   std::vector<Photon> photons_;             ///< of each lane
