@@ -73,8 +73,10 @@ std::string tolerance_state(const std::string& identity, const design::Tolerance
       .dump();
 }
 
-design::ToleranceSamples read_tolerance_state(const std::string& object, const std::string& identity,
-                                              const ToleranceBounds& bounds) {
+namespace {
+
+design::ToleranceSamples samples_from(const std::string& object, const std::string& identity,
+                                      const ToleranceBounds& bounds) {
   core::require_shallow_json(object);
   const Json node = Json::parse(object);
   if (node.at("format").get<std::string>() != kStateFormat) throw core::Error("it is of another version");
@@ -95,6 +97,17 @@ design::ToleranceSamples read_tolerance_state(const std::string& object, const s
   const auto numbers = node.at("maps").get<std::vector<double>>();
   require(run.samples.empty() || run.maps.restore(bounds.cells, run.samples.size(), numbers), "it is of other cells");
   return run;
+}
+
+}  // namespace
+
+design::ToleranceSamples read_tolerance_state(const std::string& object, const std::string& identity,
+                                              const ToleranceBounds& bounds) {
+  try {
+    return samples_from(object, identity, bounds);
+  } catch (const Json::exception& error) {
+    throw core::Error(error.what());
+  }
 }
 
 }  // namespace evenglow::app

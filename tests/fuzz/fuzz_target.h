@@ -15,7 +15,7 @@ struct FuzzTarget {
 };
 
 /// All targets: run_file, film_table_csv, film_table_hdf5, readings_csv, ies, eulumdat, intensity_csv, tm25, zemax,
-/// checkpoint, batch_json, dots_csv, dots_dxf.
+/// checkpoint, tolerance_state, batch_json, dots_csv, dots_dxf.
 const std::vector<FuzzTarget>& fuzz_targets();
 
 }  // namespace evenglow::tests

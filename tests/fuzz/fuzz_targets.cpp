@@ -1,12 +1,15 @@
 #include <cstdlib>
 
 #include "app/run_file.h"
+#include "app/tolerance_run.h"
+#include "core/base/error.h"
 #include "core/config/config_node.h"
 #include "core/dots/dot_csv.h"
 #include "core/dots/dot_dxf.h"
 #include "design/engine/checkpoint.h"
 #include "design/engine/state_file.h"
 #include "design/report/batch_table.h"
+#include "design/tolerance/figures.h"
 #include "tests/app/tiny_run.h"
 #include "tests/fuzz/fuzz_target.h"
 #include "tests/support/photometric_files.h"
@@ -103,6 +106,24 @@ void read_checkpoint(std::string_view bytes) {
   }
 }
 
+const core::CellGrid kToleranceCells{2, 2, 0.0, 0.0, 1.0, 1.0};
+
+void read_tolerance(std::string_view bytes) {
+  const auto run = app::read_tolerance_state(std::string(bytes), "identity", {kToleranceCells, 2, 8});
+  for (const design::SampleResult& sample : run.samples) core::expects(sample.parameters.size() == 2, "two of each");
+}
+
+std::string tolerance() {
+  design::ToleranceSamples run;
+  run.reference.assign(design::kFigures.size(), {0.1, 0.01});
+  const tracer::LuminanceMap map{core::CellField(kToleranceCells, 100.0), core::CellField(kToleranceCells, 0.5)};
+  for (const double place : {0.25, 0.75}) {
+    run.samples.push_back({{place, 1.0}, run.reference, {{0.5, 0.5}, {0.25, 0.25}}});
+    run.maps.add(map);
+  }
+  return app::tolerance_state("identity", run);
+}
+
 void read_batch(std::string_view bytes) {
   design::batch_html(design::read_batch_json(std::string(bytes)), "nowhere");
 }
@@ -196,6 +217,7 @@ std::vector<FuzzTarget> make_targets() {
       {"tm25", {small_tm25().bytes()}, read_tm25},
       {"zemax", {zemax.bytes()}, read_zemax},
       {"checkpoint", {state, design::unsealed_state(state)}, read_checkpoint},
+      {"tolerance_state", {tolerance()}, read_tolerance},
       {"batch_json", {batch()}, read_batch},
       {"dots_csv",
        {"# mm\nx_mm,y_mm,diameter_um,angle_deg\n1,2,50,0\n3,4,60,10\n", "y_mm,x_mm,diameter_um\n1,2,50\n"},
