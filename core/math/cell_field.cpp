@@ -26,7 +26,7 @@ std::vector<double> gaussian_kernel(double sigma) {
   const int radius = static_cast<int>(std::ceil(4.0 * sigma));
   std::vector<double> kernel(static_cast<std::size_t>(2 * radius + 1));
   for (int i = -radius; i <= radius; ++i) {
-    kernel[static_cast<std::size_t>(i + radius)] = std::exp(-0.5 * i * i / (sigma * sigma));
+    kernel[static_cast<std::size_t>(i + std::ptrdiff_t{radius})] = std::exp(-0.5 * i * i / (sigma * sigma));
   }
   const double sum = std::accumulate(kernel.begin(), kernel.end(), 0.0);
   for (double& weight : kernel) weight /= sum;
@@ -39,9 +39,10 @@ void convolve_line(const double* in, double* out, int count, int stride, const s
   for (int i = 0; i < count; ++i) {
     double sum = 0.0;
     for (int k = -radius; k <= radius; ++k) {
-      sum += kernel[static_cast<std::size_t>(k + radius)] * in[reflected(i + k, count) * stride];
+      sum += kernel[static_cast<std::size_t>(k + std::ptrdiff_t{radius})] *
+             in[std::ptrdiff_t{reflected(i + k, count)} * stride];
     }
-    out[i * stride] = sum;
+    out[std::ptrdiff_t{i} * stride] = sum;
   }
 }
 

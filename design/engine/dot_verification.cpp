@@ -71,7 +71,7 @@ class Verifier {
       }
       judgment.stop_reason = stop_reason(record, number, rms, before);
       if (!judgment.stop_reason.empty()) break;
-      density = corrected(std::move(*trial));
+      density = corrected(*trial);
     }
     hooks_.begins(-1);
     const auto seen = observe({judgment.density}, result.placement, kVerifiedStep);

@@ -113,10 +113,11 @@ std::string mixing_text(const HotSpots& row) {
 std::string color_section(const Report& report, PageData& data) {
   if (!report.color) return "";
   const ColorJudgment& color = *report.color;
-  return joined({"<h2>Color</h2>\n",
-                 "<p class=\"def\">Of the light within the viewing cone; sources: of the light as it is emitted. "
-                 "Distances are Euclidean in CIE 1976 (u\u2032, v\u2032).</p>\n",
-                 color_table(color), delta_table(color), figure_group("two", delta_maps(color, data), ""),
+  const std::string definition =
+      "<p class=\"def\">Of the light within the viewing cone; sources: of the light as it is emitted. "
+      "Distances are Euclidean in CIE 1976 (u\u2032, v\u2032).</p>\n";
+  return joined({"<h2>Color</h2>\n", definition, color_table(color), delta_table(color),
+                 figure_group("two", delta_maps(color, data), ""),
                  figure_group("two",
                               joined({color_map_figure("u\u2032", color.u, &color.u_se, data),
                                       color_map_figure("v\u2032", color.v, &color.v_se, data)}),

@@ -29,7 +29,8 @@ IncidenceGrid::IncidenceGrid() {
 }
 
 double IncidenceGrid::psi(std::size_t node) const {
-  return static_cast<double>(node / cos2_.size()) * core::kPi / static_cast<double>(kPsi);
+  const std::size_t row = node / cos2_.size();
+  return static_cast<double>(row) * core::kPi / static_cast<double>(kPsi);
 }
 
 double IncidenceGrid::sigma(std::size_t node) const {

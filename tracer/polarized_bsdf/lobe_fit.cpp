@@ -99,6 +99,7 @@ std::vector<FittedValue> fitted_values(const LobeSolution& solution, const Covar
 LuminanceMetrics metrics_of(const LuminanceTable& table, const LobeParameters& parameters,
                             const LuminanceSetup& setup) {
   std::vector<LuminancePair> pairs;
+  pairs.reserve(table.rows.size());
   for (const LuminanceRow& row : table.rows) {
     pairs.push_back({row.theta, row.measured, lobe_luminance(parameters, setup, table.kind, row)});
   }

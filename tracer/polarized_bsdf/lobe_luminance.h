@@ -43,7 +43,7 @@ template <typename T>
 T lobe_luminance(const LobeValues<T>& v, ScatterKind kind, const LuminanceRow& row) {
   using std::cos;
   const std::array<T, 2> f = lobe_amplitudes(v, kind, row);
-  const T half = 0.5 * (f[0] + f[1]);
+  T half = 0.5 * (f[0] + f[1]);
   if (!row.filtered) return half;
   const T& offset = kind == ScatterKind::reflection ? v.offset_reflection : v.offset_transmission;
   return 0.5 * v.throughput * (half + 0.5 * (f[0] - f[1]) * cos(2.0 * (row.filter - row.psi - offset)));

@@ -86,6 +86,7 @@ void LobeModel::solve(ScatterKind kind, FilmLight light) {
   }
   const auto lines_of = [&](const std::vector<Lobe>& lobes) {
     std::vector<std::pair<Eigen::MatrixXd, Eigen::MatrixXd>> lines;
+    lines.reserve(lobes.size());
     for (const Lobe& lobe : lobes) {
       lines.emplace_back(lobe.amplitude * line_of(lobe.sx, n, step), line_of(lobe.sy, n, step).transpose());
     }

@@ -105,6 +105,7 @@ BsdfTable lobe_table(const LobeModel& model) {
     for (const double psi : axes.psi) {
       for (const double sigma : axes.sigma) {
         std::vector<std::vector<LobeModel::Value>> rays;
+        rays.reserve(axes.phi.size());
         for (const double phi : axes.phi) rays.push_back(Ray(model, kind, psi, sigma, phi, axes.theta).nodes());
         for (std::size_t t = 0; t < axes.theta.size(); ++t) {
           for (const auto& ray : rays) rows.push_back(node_of(ray[t], kind, psi, sigma, n));

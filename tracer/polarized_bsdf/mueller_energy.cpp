@@ -8,6 +8,7 @@ std::vector<IncidenceEnergy> mueller_energies(const MuellerTable& table, double 
   const BsdfTable::Axes& axes = table.axes();
   std::vector<IncidenceEnergy> energies = incidence_energies(table.intensities(), pass_index);
   std::vector<std::vector<OutgoingPoint>> points;
+  points.reserve(axes.sigma.size());
   for (const double sigma : axes.sigma) points.push_back(outgoing_points(sigma));
   for (IncidenceEnergy& e : energies) {
     double circular = 0.0;  // T03

@@ -31,7 +31,7 @@ core::MuellerMatrix physical_share(const core::MuellerMatrix& M) {
   core::MuellerMatrix depolarizer = core::MuellerMatrix::Zero();
   depolarizer(0, 0) = 1.0;
   if (M(0, 0) <= 0.0) return depolarizer;
-  const core::MuellerMatrix share = M / M(0, 0);
+  core::MuellerMatrix share = M / M(0, 0);
   const double least = core::least_coherency_eigenvalue(share);
   if (least >= 0.0) return share;
   const double e = -least / (0.25 - least);

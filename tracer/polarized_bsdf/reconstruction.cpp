@@ -17,6 +17,7 @@ constexpr int kLeastRedundant = 10;
 
 std::vector<AngleReading> angle_readings(const ReadingGroup& group) {
   std::vector<AngleReading> readings;
+  readings.reserve(group.readings.size());
   for (const FilmReading& r : group.readings) readings.push_back({r.in_angle, r.value, r.se > 0.0 ? r.se : 1.0});
   return readings;
 }
@@ -129,6 +130,7 @@ std::vector<MuellerReading> mueller_readings(const ReadingGroup& group, const Re
   constexpr double kDown = -1.0;
   const double out_sign = group.node.kind == ScatterKind::reflection ? 1.0 : kDown;
   std::vector<MuellerReading> readings;
+  readings.reserve(group.readings.size());
   for (const FilmReading& r : group.readings) {
     readings.push_back({polarization_of(r.in_kind, r.in_angle, options.polarizer.contrast(), kDown),
                         analyzer_of(r.out_kind, r.out_angle, options.analyzer, out_sign), r.value, r.se});

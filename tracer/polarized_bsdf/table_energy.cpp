@@ -32,6 +32,7 @@ std::vector<OutgoingPoint> outgoing_points(double sigma) {
 std::vector<IncidenceEnergy> incidence_energies(const BsdfTable& table, double pass_index) {
   const BsdfTable::Axes& axes = table.axes();
   std::vector<std::vector<OutgoingPoint>> points;
+  points.reserve(axes.sigma.size());
   for (const double sigma : axes.sigma) points.push_back(outgoing_points(sigma));
   std::vector<IncidenceEnergy> energies;
   for (std::size_t l = 0; l < axes.lambda_nm.size(); ++l) {
