@@ -39,6 +39,12 @@ OuterResult result_from(const Json& node) {
   r.rms = {node.at("rms_corrected").get<double>(), node.at("rms_corrected_se").get<double>()};
   r.photons = node.at("photons").get<std::uint64_t>();
   r.cpu_s = node.at("cpu_s").get<double>();
+  // What no design gives. (JSON knows neither infinity nor what is no number.)
+  constexpr double kMostRms = 1e4;  // of all light in one of 1e8 cells
+  const auto is_error = [](double se) { return se >= 0.0 && se <= kMostRms; };
+  if (!(r.efficiency.value >= 0.0 && r.efficiency.value <= 1.0 + 1e-9 && is_error(r.efficiency.se) &&
+        std::abs(r.rms.value) <= kMostRms && is_error(r.rms.se) && r.cpu_s >= 0.0))
+    throw core::Error("a design of it has figures out of range");
   return r;
 }
 

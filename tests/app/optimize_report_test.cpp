@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "core/base/error.h"
+#include "design/engine/state_file.h"
 #include "tests/app/tiny_run.h"
 
 namespace evenglow::app {
@@ -75,6 +77,27 @@ TEST(OptimizeReport, ABestThatFailsTheBoundWhenJudgedAnewIsTold) {
   verdict.improved.rms.value = 0.03;
   EXPECT_THAT(optimize_study(run_with_bound(0.02), "", kSome, verdict).notes.front(),
               HasSubstr("it does not keep the bound of 2 %."));
+}
+
+/// Anyone can make a state with a right checksum.
+TEST(OptimizeReport, StatesOfFiguresThatNoDesignHasAreRefused) {
+  const auto told_of = [&](const design::OuterResult& design) -> std::string {
+    const tests::TempFolder folder;  // of its own: else the good state before would be taken
+    design::save_state(folder / "state.json", optimize_state("me", {design}));
+    std::string note;
+    try {
+      read_optimize_state(folder / "state.json", "me", note);
+    } catch (const core::Error& error) {
+      return error.what();
+    }
+    return "";
+  };
+  EXPECT_EQ(told_of(result(0.2, 0.6, -0.01)), "");  // a signed root of a square below the noise
+  for (const design::OuterResult& wrong : {result(0.2, -0.6, 0.1), result(0.2, 7.0, 0.1), result(0.2, 0.6, 1e9)})
+    EXPECT_THAT(told_of(wrong), HasSubstr("figures out of range"));
+  design::OuterResult wrong = result(0.2, 0.6, 0.1);
+  wrong.rms.se = -1.0;
+  EXPECT_THAT(told_of(wrong), HasSubstr("figures out of range"));
 }
 
 }  // namespace

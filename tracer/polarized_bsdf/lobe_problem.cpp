@@ -21,6 +21,8 @@ struct Residual {
 
   template <typename T>
   bool operator()(const T* x, T* residual) const {
+    // The analyzer loses the value of `absorption` on its way through the cost function that owns this.
+    // NOLINTNEXTLINE(clang-analyzer-core.CallAndMessage)
     const LobeValues<T> v = lobe_values(x, absorption);
     if (!(v.a1 > T(0.0)) || !(v.b1 > T(0.0))) return false;  // no film: the solver takes a shorter step
     residual[0] = (lobe_luminance(v, reading.kind, reading.row) - reading.row.measured) / reading.error;
