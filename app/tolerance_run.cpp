@@ -87,7 +87,8 @@ class SampleTracer {
     run.backlight.angular.reset();  // no figure asks for them
     run.backlight.color = false;
     const tracer::Scene scene = tracer::compile_scene(std::move(run.backlight));
-    auto observation = traced_model(scene, std::move(options))(density, photons, step);
+    const design::ForwardModel model = traced_model(scene, std::move(options));
+    auto observation = model(density, photons, step);
     done_ += photons;
     return observation;
   }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 
 #include <fmt/format.h>
@@ -72,7 +73,8 @@ Distribution read_distribution(const ConfigNode& node, double most) {
   result.shares = shares_of(node, result.choices.size());
   result.mean = node.optional_number(
       {"mean", "middle of the distribution; left out: the nominal value", Range::closed(-1e6, 1e6)});
-  const int given = int{node.has("normal")} + int{node.has("uniform")} + int{node.has("choices")};
+  const bool kinds[] = {node.has("normal"), node.has("uniform"), node.has("choices")};
+  const auto given = std::count(std::begin(kinds), std::end(kinds), true);
   if (given != 1)
     node.fault(fmt::format("must have one of normal, uniform and choices, got {}", given == 0 ? "none" : "several"));
   if (node.has("choices") && result.choices.empty()) node.fault_at("choices", "must hold at least one value, got none");

@@ -24,7 +24,7 @@ constexpr int kRejections = 8;
 constexpr std::size_t kChunkBytes = std::size_t{1} << 20;
 
 Vec3 vector_at(const std::byte* record, int column) {
-  const std::byte* at = record + std::ptrdiff_t{4} * column;
+  const std::byte* at = record + static_cast<std::ptrdiff_t>(column) * 4;
   return {little_endian<float>(at), little_endian<float>(at + 4), little_endian<float>(at + 8)};
 }
 
@@ -32,7 +32,7 @@ FileRay read_ray(const std::byte* record, const RayFileLayout& layout, RayFileAx
   FileRay ray;
   ray.position = layout.mm_per_unit * into_frame(axis, vector_at(record, 0));
   ray.direction = into_frame(axis, vector_at(record, 3));
-  ray.flux = little_endian<float>(record + std::ptrdiff_t{4} * layout.flux);
+  ray.flux = little_endian<float>(record + static_cast<std::ptrdiff_t>(layout.flux) * 4);
   if (layout.stokes) {
     ray.stokes = vector_at(record, *layout.stokes);
     ray.axis = into_frame(axis, vector_at(record, *layout.stokes + 3));
